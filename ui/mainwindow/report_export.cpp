@@ -11,6 +11,7 @@
 #include "core/presentation/results/handout_train.h"
 #include "core/presentation/results/scorm_package.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
