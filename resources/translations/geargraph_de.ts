@@ -16215,6 +16215,10 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The planetary sets that may be inside a hub gear with these ratios.</source>
         <translation>Die Planetensätze, die in einer Nabenschaltung mit diesen Übersetzungen stecken können.</translation>
     </message>
+    <message>
+        <source>Show what the exercises ask for</source>
+        <translation>Zeigen, wonach die Aufgaben fragen</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

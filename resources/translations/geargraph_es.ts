@@ -16215,6 +16215,10 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The planetary sets that may be inside a hub gear with these ratios.</source>
         <translation>Los trenes planetarios que puede haber dentro de un buje con estas relaciones.</translation>
     </message>
+    <message>
+        <source>Show what the exercises ask for</source>
+        <translation>Mostrar lo que preguntan los ejercicios</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -16214,6 +16214,10 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The planetary sets that may be inside a hub gear with these ratios.</source>
         <translation>Bu oranlara sahip bir göbek vitesinin içinde olabilecek planet takımları.</translation>
     </message>
+    <message>
+        <source>Show what the exercises ask for</source>
+        <translation>Alıştırmaların sorduğunu göster</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
