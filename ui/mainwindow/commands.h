@@ -45,6 +45,7 @@ enum class CommandId {
   load,
   releaseAll,
   insertSet,
+  findTeeth,
   tidy,
   fit,
   zoomIn,

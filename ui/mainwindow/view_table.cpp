@@ -11,6 +11,7 @@
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/schematic/schematic_view.h"
+#include "ui/teeth/teeth_panel.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
@@ -20,7 +21,7 @@ std::vector<ViewEntry> viewTable() {
   return {
       digraphView(),    ttGraphView(), schematicView(), matricesView(),   problemsView(),
       view3dView(),     inputsView(),  gearboxView(),   propertiesView(), speedsView(),
-      derivationView(), forcesView(),  dynamicsView(),
+      derivationView(), forcesView(),  dynamicsView(),  teethView(),
   };
 }
 

@@ -40,6 +40,7 @@
 #include "ui/printing/print_dialog.h"
 #include "ui/search/search_field.h"
 #include "ui/settings/settings.h"
+#include "ui/teeth/teeth_panel.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -107,7 +108,7 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
   mechanism->addSeparator();
-  mechanism->addAction(a[insertSet]);
+  mechanism->addActions(a.of({insertSet, findTeeth}));
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
   for (QAction* count : a.planets) planets->addAction(count);
   mechanism->addSeparator();
@@ -172,6 +173,11 @@ void MainWindow::wireActions() {
   connect(a[tidy], &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a[makeGround], &QAction::triggered, m_commands, &EditCommands::makeGround);
   connect(a[insertSet], &QAction::triggered, this, &MainWindow::showInsertSet);
+  connect(a[findTeeth], &QAction::triggered, this, [this] {
+    auto& panel = m_views->get<TeethPanel>();
+    m_docks->reveal(panel);
+    panel.askForRatio();
+  });
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
     connect(a.planets[i], &QAction::triggered, m_commands,
             [this, total = static_cast<int>(i) + 2] { m_commands->makePlanets(total); });
