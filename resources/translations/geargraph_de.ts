@@ -16219,6 +16219,430 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>Show what the exercises ask for</source>
         <translation>Zeigen, wonach die Aufgaben fragen</translation>
     </message>
+    <message>
+        <source>drawn</source>
+        <translation>gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: pinned, it keeps its teeth</source>
+        <translation>%1: fixiert, es behält seine Zähne</translation>
+    </message>
+    <message>
+        <source>%1. Ticked: its teeth may change</source>
+        <translation>%1. Angehakt: seine Zähne dürfen sich ändern</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fixiert</translation>
+    </message>
+    <message>
+        <source>Its teeth follow from the others: one distance between two axes</source>
+        <translation>Seine Zähne folgen aus den anderen: ein Abstand zwischen zwei Achsen</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which the train has the ratios that you want, all of them.</source>
+        <translation>Ganze Zähnezahlen, mit denen das Getriebe die gewünschten Übersetzungen hat, und zwar alle.</translation>
+    </message>
+    <message>
+        <source>The link that drives</source>
+        <translation>Das Glied, das antreibt</translation>
+    </message>
+    <message>
+        <source>The link that is driven</source>
+        <translation>Das Glied, das angetrieben wird</translation>
+    </message>
+    <message>
+        <source>In which state the ratio is wanted, or which links are held</source>
+        <translation>In welchem Schaltzustand die Übersetzung gewünscht ist, oder welche Glieder festgehalten werden</translation>
+    </message>
+    <message>
+        <source>The numbers of the links that are held, such as 2 4</source>
+        <translation>Die Nummern der Glieder, die festgehalten werden, etwa 2 4</translation>
+    </message>
+    <message>
+        <source>Speed of the drive over that of the driven link: 64, 9/2 or 0.632</source>
+        <translation>Geschwindigkeit des antreibenden durch die des angetriebenen Glieds: 64, 9/2 oder 0,632</translation>
+    </message>
+    <message>
+        <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
+        <translation>Wie weit die Übersetzung verfehlt werden darf: um 0,5 % oder um eine Zahl wie 0,01. Leer: eine Dezimalzahl gilt als gerundet, jede andere Übersetzung ist genau gewünscht</translation>
+    </message>
+    <message>
+        <source>Remove this ratio</source>
+        <translation>Diese Übersetzung entfernen</translation>
+    </message>
+    <message>
+        <source>such as 2 4</source>
+        <translation>etwa 2 4</translation>
+    </message>
+    <message>
+        <source>in state %1</source>
+        <translation>im Schaltzustand %1</translation>
+    </message>
+    <message>
+        <source>as engaged now</source>
+        <translation>wie jetzt geschlossen</translation>
+    </message>
+    <message>
+        <source>with links held:</source>
+        <translation>mit festen Gliedern:</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>%1, meshes with %2</source>
+        <translation>%1, kämmt mit %2</translation>
+    </message>
+    <message>
+        <source>+ Ratio</source>
+        <translation>+ Übersetzung</translation>
+    </message>
+    <message>
+        <source>Another ratio of the same train: all of them have to be met</source>
+        <translation>Noch eine Übersetzung desselben Getriebes: alle müssen erfüllt sein</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>Räder</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>The limits as they are at first</source>
+        <translation>Die Grenzen wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Fewest teeth of a wheel</source>
+        <translation>Wenigste Zähne eines Rads</translation>
+    </message>
+    <message>
+        <source>Most teeth of a gear</source>
+        <translation>Meiste Zähne eines außenverzahnten Rads</translation>
+    </message>
+    <message>
+        <source>Most teeth of a ring gear</source>
+        <translation>Meiste Zähne eines Hohlrads</translation>
+    </message>
+    <message>
+        <source>Equal planets at equal distances that have to go in and to clear each other</source>
+        <translation>Gleiche Planeten in gleichen Abständen, die sich einbauen lassen und einander nicht berühren</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Whole teeth by which the sums of two pairs between the same axes may differ; a profile shift makes up for it</source>
+        <translation>Ganze Zähne, um die sich die Summen zweier Paare zwischen denselben Achsen unterscheiden dürfen; eine Profilverschiebung gleicht es aus</translation>
+    </message>
+    <message>
+        <source>one for all</source>
+        <translation>einer für alle</translation>
+    </message>
+    <message>
+        <source>free for each pair</source>
+        <translation>frei für jedes Paar</translation>
+    </message>
+    <message>
+        <source>With one module, pairs between the same two axes have one sum of teeth</source>
+        <translation>Mit einem Modul haben Paare zwischen denselben zwei Achsen eine Zähnesumme</translation>
+    </message>
+    <message>
+        <source>The only teeth that there are, such as 8 16 24 40; empty: any</source>
+        <translation>Die einzigen Zähnezahlen, die es gibt, etwa 8 16 24 40; leer: beliebige</translation>
+    </message>
+    <message>
+        <source>any, or only these: 8 16 24 40</source>
+        <translation>beliebig, oder nur: 8 16 24 40</translation>
+    </message>
+    <message>
+        <source>Efficiency of every mesh; empty: as the document states, if it does</source>
+        <translation>Wirkungsgrad jedes Zahneingriffs; leer: wie im Dokument, falls es einen nennt</translation>
+    </message>
+    <message>
+        <source>The least efficiency that every ratio must have; empty: any</source>
+        <translation>Der kleinste Wirkungsgrad, den jede Übersetzung haben muss; leer: beliebig</translation>
+    </message>
+    <message>
+        <source>each of these once</source>
+        <translation>jedes davon einmal</translation>
+    </message>
+    <message>
+        <source>Of the wheels that are listed each is used once at most</source>
+        <translation>Von den aufgezählten Rädern wird jedes höchstens einmal verwendet</translation>
+    </message>
+    <message>
+        <source>axes stay where they are</source>
+        <translation>Achsen bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Centre distances and modules stay as they are</source>
+        <translation>Achsabstände und Module bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>only with hunting teeth</source>
+        <translation>nur mit teilerfremden Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>No two teeth meet again before each has met all others</source>
+        <translation>Keine zwei Zähne treffen sich wieder, bevor jeder alle anderen getroffen hat</translation>
+    </message>
+    <message>
+        <source>no undercut</source>
+        <translation>kein Unterschnitt</translation>
+    </message>
+    <message>
+        <source>No gear has fewer teeth than a rack cuts without undercut and profile shift</source>
+        <translation>Kein Rad hat weniger Zähne, als eine Zahnstange ohne Unterschnitt und Profilverschiebung schneidet</translation>
+    </message>
+    <message>
+        <source>Rings to</source>
+        <translation>Hohlräder bis</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>In stock</source>
+        <translation>Vorrat</translation>
+    </message>
+    <message>
+        <source>Least η</source>
+        <translation>η mindestens</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 drehen sich</translation>
+    </message>
+    <message>
+        <source>%1 with planets that clear each other</source>
+        <translation>%1 mit Planeten, die einander nicht berühren</translation>
+    </message>
+    <message>
+        <source>%1 with equal planets that go in</source>
+        <translation>%1 mit gleichen Planeten, die sich einbauen lassen</translation>
+    </message>
+    <message>
+        <source>%1 with hunting teeth only</source>
+        <translation>%1 nur mit teilerfremden Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>%1 without undercut</source>
+        <translation>%1 ohne Unterschnitt</translation>
+    </message>
+    <message>
+        <source>%1 within the tolerance</source>
+        <translation>%1 innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Draw a train with gear pairs; then say which ratio it should have, and every choice of whole teeth within your limits is tried.</source>
+        <translation>Zeichnen Sie ein Getriebe mit Radpaaren; sagen Sie dann, welche Übersetzung es haben soll, und jede Wahl ganzer Zähnezahlen innerhalb Ihrer Grenzen wird geprüft.</translation>
+    </message>
+    <message>
+        <source>The teeth could not be searched: %1</source>
+        <translation>Die Zähnezahlen konnten nicht gesucht werden: %1</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Wie viel der Suche getan ist</translation>
+    </message>
+    <message>
+        <source>u: undercut; a profile shift mends it</source>
+        <translation>u: Unterschnitt; eine Profilverschiebung behebt ihn</translation>
+    </message>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Zertifikat sichern…</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV (Ctrl+C)</source>
+        <translation>Die Tabelle als CSV kopieren (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV</source>
+        <translation>Die Tabelle als CSV sichern</translation>
+    </message>
+    <message>
+        <source>Use these teeth</source>
+        <translation>Diese Zähne verwenden</translation>
+    </message>
+    <message>
+        <source>Choices of teeth</source>
+        <translation>Möglichkeiten für Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>bisher %1</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>Die Suche beenden; was gefunden ist, bleibt</translation>
+    </message>
+    <message>
+        <source>The wish cannot be met as it is: see beside its fields.</source>
+        <translation>Der Wunsch lässt sich so nicht erfüllen: siehe bei seinen Feldern.</translation>
+    </message>
+    <message>
+        <source>Type the ratio that you want: every choice of whole teeth is tried.</source>
+        <translation>Tippen Sie die gewünschte Übersetzung: jede Wahl ganzer Zähnezahlen wird geprüft.</translation>
+    </message>
+    <message>
+        <source>All %1 choices tried: complete</source>
+        <translation>Alle %1 Möglichkeiten geprüft: vollständig</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 choices: not complete</source>
+        <translation>Nach %1 Möglichkeiten angehalten: nicht vollständig</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Search from the beginning</source>
+        <translation>Von vorn suchen</translation>
+    </message>
+    <message>
+        <source>%1 meet the wish</source>
+        <translation>%1 erfüllen den Wunsch</translation>
+    </message>
+    <message>
+        <source>the best %1 are shown</source>
+        <translation>die besten %1 sind zu sehen</translation>
+    </message>
+    <message>
+        <source>%1, off by %2</source>
+        <translation>%1, daneben um %2</translation>
+    </message>
+    <message>
+        <source>None. Nearest: %1</source>
+        <translation>Keine. Am nächsten: %1</translation>
+    </message>
+    <message>
+        <source>No choice of teeth is left: the line above says where they end. Wider limits, or more wheels that may change, give more.</source>
+        <translation>Keine Möglichkeit bleibt: die Zeile darüber sagt, wo sie enden. Weitere Grenzen oder mehr Räder, die sich ändern dürfen, geben mehr.</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet.</source>
+        <translation>Noch wurde nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it</source>
+        <translation>Dem Getriebe die Zähne der gewählten Zeile geben (Eingabe); Strg+Z macht es rückgängig</translation>
+    </message>
+    <message>
+        <source>Choose a row first</source>
+        <translation>Erst eine Zeile wählen</translation>
+    </message>
+    <message>
+        <source>Save what proves that there are no other choices</source>
+        <translation>Sichern, was beweist, dass es keine anderen Möglichkeiten gibt</translation>
+    </message>
+    <message>
+        <source>There is a certificate when all choices have been tried</source>
+        <translation>Ein Zertifikat gibt es, wenn alle Möglichkeiten geprüft sind</translation>
+    </message>
+    <message>
+        <source>Choose teeth</source>
+        <translation>Zähnezahlen wählen</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>Wahl %1</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>am nächsten</translation>
+    </message>
+    <message>
+        <source>Save certificate</source>
+        <translation>Zertifikat sichern</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON-Dateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mesh %1: every tooth meets every other</source>
+        <translation>Zahneingriff %1: jeder Zahn trifft jeden anderen</translation>
+    </message>
+    <message>
+        <source>Mesh %1: a tooth meets one in %2 of the others</source>
+        <translation>Zahneingriff %1: ein Zahn trifft nur jeden %2-ten der anderen</translation>
+    </message>
+    <message>
+        <source>%1: a rack undercuts it without a profile shift</source>
+        <translation>%1: eine Zahnstange unterschneidet es ohne Profilverschiebung</translation>
+    </message>
+    <message>
+        <source>hunting</source>
+        <translation>teilerfremd</translation>
+    </message>
+    <message>
+        <source>The best first: the smallest error, then the highest efficiency</source>
+        <translation>Die beste zuerst: der kleinste Fehler, dann der höchste Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>Teeth of %1</source>
+        <translation>Zähne von %1</translation>
+    </message>
+    <message>
+        <source>The ratio, exactly</source>
+        <translation>Die Übersetzung, genau</translation>
+    </message>
+    <message>
+        <source>The ratio, rounded to three decimals</source>
+        <translation>Die Übersetzung, auf drei Stellen gerundet</translation>
+    </message>
+    <message>
+        <source>By how much of the wished ratio it is missed; the dot shows where it is within the tolerance</source>
+        <translation>Um welchen Teil der gewünschten Übersetzung sie verfehlt wird; der Punkt zeigt, wo sie in der Toleranz ist</translation>
+    </message>
+    <message>
+        <source>How many equal planets go in at equal distances and clear each other</source>
+        <translation>Wie viele gleiche Planeten sich in gleichen Abständen einbauen lassen, ohne einander zu berühren</translation>
+    </message>
+    <message>
+        <source>By pair of wheels: a hunting tooth meets all others before it meets one again</source>
+        <translation>Je Radpaar: bei teilerfremden Zähnezahlen trifft ein Zahn alle anderen, bevor er einen wieder trifft</translation>
+    </message>
+    <message>
+        <source>Efficiency of the train, of several ratios the smallest</source>
+        <translation>Wirkungsgrad des Getriebes, von mehreren Übersetzungen der kleinste</translation>
+    </message>
+    <message>
+        <source>The same with the power the other way; none: it locks itself</source>
+        <translation>Dasselbe mit der Leistung in Gegenrichtung; keiner: es hemmt sich selbst</translation>
+    </message>
+    <message>
+        <source>Teeth for &amp;ratios…</source>
+        <translation>Zähnezahlen für Üb&amp;ersetzungen…</translation>
+    </message>
+    <message>
+        <source>Every choice of whole teeth with which this train has the ratios that you want</source>
+        <translation>Jede Wahl ganzer Zähnezahlen, mit der dieses Getriebe die gewünschten Übersetzungen hat</translation>
+    </message>
+    <message>
+        <source>There is no train yet whose teeth could be chosen.</source>
+        <translation>Es gibt noch kein Getriebe, dessen Zähne gewählt werden könnten.</translation>
+    </message>
+    <message>
+        <source>The teeth hold the answer: they open when the step is right or shown.</source>
+        <translation>Die Zähne enthalten die Antwort: sie öffnen sich, wenn der Schritt richtig oder gezeigt ist.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

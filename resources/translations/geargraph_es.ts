@@ -16219,6 +16219,430 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>Show what the exercises ask for</source>
         <translation>Mostrar lo que preguntan los ejercicios</translation>
     </message>
+    <message>
+        <source>drawn</source>
+        <translation>dibujado</translation>
+    </message>
+    <message>
+        <source>%1: pinned, it keeps its teeth</source>
+        <translation>%1: fijada, conserva sus dientes</translation>
+    </message>
+    <message>
+        <source>%1. Ticked: its teeth may change</source>
+        <translation>%1. Marcada: sus dientes pueden cambiar</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fijada</translation>
+    </message>
+    <message>
+        <source>Its teeth follow from the others: one distance between two axes</source>
+        <translation>Sus dientes se deducen de los demás: una sola distancia entre dos ejes</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which the train has the ratios that you want, all of them.</source>
+        <translation>Los dientes enteros con los que el tren tiene las relaciones deseadas, todos ellos.</translation>
+    </message>
+    <message>
+        <source>The link that drives</source>
+        <translation>El eslabón que acciona</translation>
+    </message>
+    <message>
+        <source>The link that is driven</source>
+        <translation>El eslabón accionado</translation>
+    </message>
+    <message>
+        <source>In which state the ratio is wanted, or which links are held</source>
+        <translation>En qué estado se desea la relación, o qué eslabones están retenidos</translation>
+    </message>
+    <message>
+        <source>The numbers of the links that are held, such as 2 4</source>
+        <translation>Los números de los eslabones retenidos, como 2 4</translation>
+    </message>
+    <message>
+        <source>Speed of the drive over that of the driven link: 64, 9/2 or 0.632</source>
+        <translation>Velocidad del eslabón motor entre la del accionado: 64, 9/2 o 0,632</translation>
+    </message>
+    <message>
+        <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
+        <translation>Cuánto puede desviarse la relación: un 0,5 % de ella, o un número como 0,01. Vacío: un decimal se toma como redondeado, cualquier otra relación se desea exacta</translation>
+    </message>
+    <message>
+        <source>Remove this ratio</source>
+        <translation>Quitar esta relación</translation>
+    </message>
+    <message>
+        <source>such as 2 4</source>
+        <translation>como 2 4</translation>
+    </message>
+    <message>
+        <source>in state %1</source>
+        <translation>en el estado %1</translation>
+    </message>
+    <message>
+        <source>as engaged now</source>
+        <translation>como está activado ahora</translation>
+    </message>
+    <message>
+        <source>with links held:</source>
+        <translation>con eslabones retenidos:</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>ahora %1</translation>
+    </message>
+    <message>
+        <source>%1, meshes with %2</source>
+        <translation>%1, engrana con %2</translation>
+    </message>
+    <message>
+        <source>+ Ratio</source>
+        <translation>+ Relación</translation>
+    </message>
+    <message>
+        <source>Another ratio of the same train: all of them have to be met</source>
+        <translation>Otra relación del mismo tren: todas han de cumplirse</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Deseado</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>Ruedas</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Por defecto</translation>
+    </message>
+    <message>
+        <source>The limits as they are at first</source>
+        <translation>Los límites como al principio</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Límites</translation>
+    </message>
+    <message>
+        <source>Fewest teeth of a wheel</source>
+        <translation>Mínimo de dientes de una rueda</translation>
+    </message>
+    <message>
+        <source>Most teeth of a gear</source>
+        <translation>Máximo de dientes de una rueda exterior</translation>
+    </message>
+    <message>
+        <source>Most teeth of a ring gear</source>
+        <translation>Máximo de dientes de una corona</translation>
+    </message>
+    <message>
+        <source>Equal planets at equal distances that have to go in and to clear each other</source>
+        <translation>Satélites iguales a distancias iguales que han de montarse sin tocarse</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>como está dibujado</translation>
+    </message>
+    <message>
+        <source>Whole teeth by which the sums of two pairs between the same axes may differ; a profile shift makes up for it</source>
+        <translation>Dientes enteros en que pueden diferir las sumas de dos pares entre los mismos ejes; un desplazamiento de perfil lo compensa</translation>
+    </message>
+    <message>
+        <source>one for all</source>
+        <translation>uno para todos</translation>
+    </message>
+    <message>
+        <source>free for each pair</source>
+        <translation>libre para cada par</translation>
+    </message>
+    <message>
+        <source>With one module, pairs between the same two axes have one sum of teeth</source>
+        <translation>Con un solo módulo, los pares entre los mismos dos ejes tienen una misma suma de dientes</translation>
+    </message>
+    <message>
+        <source>The only teeth that there are, such as 8 16 24 40; empty: any</source>
+        <translation>Los únicos dientes que hay, como 8 16 24 40; vacío: cualesquiera</translation>
+    </message>
+    <message>
+        <source>any, or only these: 8 16 24 40</source>
+        <translation>cualquiera, o solo: 8 16 24 40</translation>
+    </message>
+    <message>
+        <source>Efficiency of every mesh; empty: as the document states, if it does</source>
+        <translation>Rendimiento de cada engrane; vacío: como indica el documento, si lo indica</translation>
+    </message>
+    <message>
+        <source>The least efficiency that every ratio must have; empty: any</source>
+        <translation>El rendimiento mínimo que debe tener cada relación; vacío: cualquiera</translation>
+    </message>
+    <message>
+        <source>each of these once</source>
+        <translation>cada una de estas una vez</translation>
+    </message>
+    <message>
+        <source>Of the wheels that are listed each is used once at most</source>
+        <translation>De las ruedas enumeradas cada una se usa una vez como mucho</translation>
+    </message>
+    <message>
+        <source>axes stay where they are</source>
+        <translation>los ejes se quedan donde están</translation>
+    </message>
+    <message>
+        <source>Centre distances and modules stay as they are</source>
+        <translation>Las distancias entre ejes y los módulos se quedan como están</translation>
+    </message>
+    <message>
+        <source>only with hunting teeth</source>
+        <translation>solo con dientes primos entre sí</translation>
+    </message>
+    <message>
+        <source>No two teeth meet again before each has met all others</source>
+        <translation>Dos dientes no se reencuentran antes de que cada uno haya encontrado a todos los demás</translation>
+    </message>
+    <message>
+        <source>no undercut</source>
+        <translation>sin socavado</translation>
+    </message>
+    <message>
+        <source>No gear has fewer teeth than a rack cuts without undercut and profile shift</source>
+        <translation>Ninguna rueda tiene menos dientes de los que una cremallera talla sin socavado ni desplazamiento de perfil</translation>
+    </message>
+    <message>
+        <source>Rings to</source>
+        <translation>Coronas hasta</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Holgura</translation>
+    </message>
+    <message>
+        <source>In stock</source>
+        <translation>Existencias</translation>
+    </message>
+    <message>
+        <source>Least η</source>
+        <translation>η mínimo</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 giran</translation>
+    </message>
+    <message>
+        <source>%1 with planets that clear each other</source>
+        <translation>%1 con satélites que no se tocan</translation>
+    </message>
+    <message>
+        <source>%1 with equal planets that go in</source>
+        <translation>%1 con satélites iguales que se pueden montar</translation>
+    </message>
+    <message>
+        <source>%1 with hunting teeth only</source>
+        <translation>%1 solo con dientes primos entre sí</translation>
+    </message>
+    <message>
+        <source>%1 without undercut</source>
+        <translation>%1 sin socavado</translation>
+    </message>
+    <message>
+        <source>%1 within the tolerance</source>
+        <translation>%1 dentro de la tolerancia</translation>
+    </message>
+    <message>
+        <source>Draw a train with gear pairs; then say which ratio it should have, and every choice of whole teeth within your limits is tried.</source>
+        <translation>Dibuje un tren con pares de ruedas; diga después qué relación ha de tener, y se prueba cada elección de dientes enteros dentro de sus límites.</translation>
+    </message>
+    <message>
+        <source>The teeth could not be searched: %1</source>
+        <translation>No se pudieron buscar los dientes: %1</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Cuánto de la búsqueda está hecho</translation>
+    </message>
+    <message>
+        <source>u: undercut; a profile shift mends it</source>
+        <translation>u: socavado; un desplazamiento de perfil lo corrige</translation>
+    </message>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Guardar certificado…</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV (Ctrl+C)</source>
+        <translation>Copiar la tabla como CSV (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV</source>
+        <translation>Guardar la tabla como CSV</translation>
+    </message>
+    <message>
+        <source>Use these teeth</source>
+        <translation>Usar estos dientes</translation>
+    </message>
+    <message>
+        <source>Choices of teeth</source>
+        <translation>Elecciones de dientes</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>%1 hasta ahora</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>Terminar la búsqueda; lo hallado se queda</translation>
+    </message>
+    <message>
+        <source>The wish cannot be met as it is: see beside its fields.</source>
+        <translation>El deseo no puede cumplirse así: véase junto a sus campos.</translation>
+    </message>
+    <message>
+        <source>Type the ratio that you want: every choice of whole teeth is tried.</source>
+        <translation>Escriba la relación deseada: se prueba cada elección de dientes enteros.</translation>
+    </message>
+    <message>
+        <source>All %1 choices tried: complete</source>
+        <translation>Las %1 elecciones probadas: completo</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 choices: not complete</source>
+        <translation>Detenido tras %1 elecciones: incompleto</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Buscar de nuevo</translation>
+    </message>
+    <message>
+        <source>Search from the beginning</source>
+        <translation>Buscar desde el principio</translation>
+    </message>
+    <message>
+        <source>%1 meet the wish</source>
+        <translation>%1 cumplen el deseo</translation>
+    </message>
+    <message>
+        <source>the best %1 are shown</source>
+        <translation>se muestran las %1 mejores</translation>
+    </message>
+    <message>
+        <source>%1, off by %2</source>
+        <translation>%1, con desvío de %2</translation>
+    </message>
+    <message>
+        <source>None. Nearest: %1</source>
+        <translation>Ninguna. La más cercana: %1</translation>
+    </message>
+    <message>
+        <source>No choice of teeth is left: the line above says where they end. Wider limits, or more wheels that may change, give more.</source>
+        <translation>No queda ninguna elección: la línea de arriba dice dónde se acaban. Límites más amplios, o más ruedas que puedan cambiar, dan más.</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet.</source>
+        <translation>Aún no se ha hallado nada.</translation>
+    </message>
+    <message>
+        <source>Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it</source>
+        <translation>Dar al tren los dientes de la fila elegida (Intro); Ctrl+Z lo deshace</translation>
+    </message>
+    <message>
+        <source>Choose a row first</source>
+        <translation>Elija antes una fila</translation>
+    </message>
+    <message>
+        <source>Save what proves that there are no other choices</source>
+        <translation>Guardar lo que demuestra que no hay otras elecciones</translation>
+    </message>
+    <message>
+        <source>There is a certificate when all choices have been tried</source>
+        <translation>Hay certificado cuando se han probado todas las elecciones</translation>
+    </message>
+    <message>
+        <source>Choose teeth</source>
+        <translation>Elegir dientes</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>elección %1</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>más cercana</translation>
+    </message>
+    <message>
+        <source>Save certificate</source>
+        <translation>Guardar certificado</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>Archivos JSON (*.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Mesh %1: every tooth meets every other</source>
+        <translation>Engrane %1: cada diente encuentra a todos los otros</translation>
+    </message>
+    <message>
+        <source>Mesh %1: a tooth meets one in %2 of the others</source>
+        <translation>Engrane %1: un diente encuentra a uno de cada %2 de los otros</translation>
+    </message>
+    <message>
+        <source>%1: a rack undercuts it without a profile shift</source>
+        <translation>%1: una cremallera la socava sin desplazamiento de perfil</translation>
+    </message>
+    <message>
+        <source>hunting</source>
+        <translation>primos</translation>
+    </message>
+    <message>
+        <source>The best first: the smallest error, then the highest efficiency</source>
+        <translation>La mejor primero: el menor error, después el mayor rendimiento</translation>
+    </message>
+    <message>
+        <source>Teeth of %1</source>
+        <translation>Dientes de %1</translation>
+    </message>
+    <message>
+        <source>The ratio, exactly</source>
+        <translation>La relación, exacta</translation>
+    </message>
+    <message>
+        <source>The ratio, rounded to three decimals</source>
+        <translation>La relación, redondeada a tres decimales</translation>
+    </message>
+    <message>
+        <source>By how much of the wished ratio it is missed; the dot shows where it is within the tolerance</source>
+        <translation>En qué parte de la relación deseada se desvía; el punto muestra dónde está dentro de la tolerancia</translation>
+    </message>
+    <message>
+        <source>How many equal planets go in at equal distances and clear each other</source>
+        <translation>Cuántos satélites iguales se pueden montar a distancias iguales sin tocarse</translation>
+    </message>
+    <message>
+        <source>By pair of wheels: a hunting tooth meets all others before it meets one again</source>
+        <translation>Por par de ruedas: con números primos entre sí, un diente encuentra a todos los otros antes de repetir</translation>
+    </message>
+    <message>
+        <source>Efficiency of the train, of several ratios the smallest</source>
+        <translation>Rendimiento del tren, el menor si hay varias relaciones</translation>
+    </message>
+    <message>
+        <source>The same with the power the other way; none: it locks itself</source>
+        <translation>Lo mismo con la potencia en sentido contrario; ninguno: se autobloquea</translation>
+    </message>
+    <message>
+        <source>Teeth for &amp;ratios…</source>
+        <translation>Dientes para &amp;relaciones…</translation>
+    </message>
+    <message>
+        <source>Every choice of whole teeth with which this train has the ratios that you want</source>
+        <translation>Cada elección de dientes enteros con la que este tren tiene las relaciones deseadas</translation>
+    </message>
+    <message>
+        <source>There is no train yet whose teeth could be chosen.</source>
+        <translation>Aún no hay un tren cuyos dientes se puedan elegir.</translation>
+    </message>
+    <message>
+        <source>The teeth hold the answer: they open when the step is right or shown.</source>
+        <translation>Los dientes contienen la respuesta: se abren cuando el paso es correcto o se muestra.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

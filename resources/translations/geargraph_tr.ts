@@ -16218,6 +16218,430 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>Show what the exercises ask for</source>
         <translation>Alıştırmaların sorduğunu göster</translation>
     </message>
+    <message>
+        <source>drawn</source>
+        <translation>çizilen</translation>
+    </message>
+    <message>
+        <source>%1: pinned, it keeps its teeth</source>
+        <translation>%1: sabitlenmiş, dişlerini korur</translation>
+    </message>
+    <message>
+        <source>%1. Ticked: its teeth may change</source>
+        <translation>%1. İşaretli: dişleri değişebilir</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>sabit</translation>
+    </message>
+    <message>
+        <source>Its teeth follow from the others: one distance between two axes</source>
+        <translation>Dişleri diğerlerinden çıkar: iki eksen arasında tek uzaklık</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which the train has the ratios that you want, all of them.</source>
+        <translation>Takımın istediğiniz oranları verdiği tam diş sayıları, hepsi.</translation>
+    </message>
+    <message>
+        <source>The link that drives</source>
+        <translation>Tahrik eden uzuv</translation>
+    </message>
+    <message>
+        <source>The link that is driven</source>
+        <translation>Tahrik edilen uzuv</translation>
+    </message>
+    <message>
+        <source>In which state the ratio is wanted, or which links are held</source>
+        <translation>Oranın hangi durumda istendiği ya da hangi uzuvların tutulduğu</translation>
+    </message>
+    <message>
+        <source>The numbers of the links that are held, such as 2 4</source>
+        <translation>Tutulan uzuvların numaraları, örneğin 2 4</translation>
+    </message>
+    <message>
+        <source>Speed of the drive over that of the driven link: 64, 9/2 or 0.632</source>
+        <translation>Tahrik eden uzvun hızının tahrik edileninkine oranı: 64, 9/2 ya da 0,632</translation>
+    </message>
+    <message>
+        <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
+        <translation>Oran ne kadar sapabilir: %0,5 kadar ya da 0,01 gibi bir sayı kadar (0,5 % yazın). Boş: ondalık sayı yuvarlanmış sayılır, başka her oran tam istenir</translation>
+    </message>
+    <message>
+        <source>Remove this ratio</source>
+        <translation>Bu oranı kaldır</translation>
+    </message>
+    <message>
+        <source>such as 2 4</source>
+        <translation>örneğin 2 4</translation>
+    </message>
+    <message>
+        <source>in state %1</source>
+        <translation>%1 durumunda</translation>
+    </message>
+    <message>
+        <source>as engaged now</source>
+        <translation>şimdi devrede olduğu gibi</translation>
+    </message>
+    <message>
+        <source>with links held:</source>
+        <translation>uzuvlar tutulurken:</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>şimdi %1</translation>
+    </message>
+    <message>
+        <source>%1, meshes with %2</source>
+        <translation>%1, %2 ile kavraşır</translation>
+    </message>
+    <message>
+        <source>+ Ratio</source>
+        <translation>+ Oran</translation>
+    </message>
+    <message>
+        <source>Another ratio of the same train: all of them have to be met</source>
+        <translation>Aynı takımın bir oranı daha: hepsi sağlanmalıdır</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>İstenen</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>Dişliler</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Varsayılanlar</translation>
+    </message>
+    <message>
+        <source>The limits as they are at first</source>
+        <translation>Sınırlar baştaki gibi</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Sınırlar</translation>
+    </message>
+    <message>
+        <source>Fewest teeth of a wheel</source>
+        <translation>Bir dişlinin en az dişi</translation>
+    </message>
+    <message>
+        <source>Most teeth of a gear</source>
+        <translation>Dıştan dişli bir çarkın en çok dişi</translation>
+    </message>
+    <message>
+        <source>Most teeth of a ring gear</source>
+        <translation>Bir çember dişlinin en çok dişi</translation>
+    </message>
+    <message>
+        <source>Equal planets at equal distances that have to go in and to clear each other</source>
+        <translation>Eşit aralıklarla takılabilmesi ve birbirine değmemesi gereken eş gezegenler</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>çizildiği gibi</translation>
+    </message>
+    <message>
+        <source>Whole teeth by which the sums of two pairs between the same axes may differ; a profile shift makes up for it</source>
+        <translation>Aynı eksenler arasındaki iki çiftin toplamlarının farklı olabileceği tam diş sayısı; profil kaydırma bunu giderir</translation>
+    </message>
+    <message>
+        <source>one for all</source>
+        <translation>hepsi için bir</translation>
+    </message>
+    <message>
+        <source>free for each pair</source>
+        <translation>her çift için serbest</translation>
+    </message>
+    <message>
+        <source>With one module, pairs between the same two axes have one sum of teeth</source>
+        <translation>Tek modülle, aynı iki eksen arasındaki çiftlerin diş toplamı birdir</translation>
+    </message>
+    <message>
+        <source>The only teeth that there are, such as 8 16 24 40; empty: any</source>
+        <translation>Var olan tek diş sayıları, örneğin 8 16 24 40; boş: herhangi</translation>
+    </message>
+    <message>
+        <source>any, or only these: 8 16 24 40</source>
+        <translation>herhangi ya da yalnız: 8 16 24 40</translation>
+    </message>
+    <message>
+        <source>Efficiency of every mesh; empty: as the document states, if it does</source>
+        <translation>Her dişli çiftinin verimi; boş: belge belirtiyorsa belgedeki gibi</translation>
+    </message>
+    <message>
+        <source>The least efficiency that every ratio must have; empty: any</source>
+        <translation>Her oranın sahip olması gereken en küçük verim; boş: herhangi</translation>
+    </message>
+    <message>
+        <source>each of these once</source>
+        <translation>bunların her biri bir kez</translation>
+    </message>
+    <message>
+        <source>Of the wheels that are listed each is used once at most</source>
+        <translation>Sayılan dişlilerin her biri en çok bir kez kullanılır</translation>
+    </message>
+    <message>
+        <source>axes stay where they are</source>
+        <translation>eksenler yerinde kalır</translation>
+    </message>
+    <message>
+        <source>Centre distances and modules stay as they are</source>
+        <translation>Eksen aralıkları ve modüller olduğu gibi kalır</translation>
+    </message>
+    <message>
+        <source>only with hunting teeth</source>
+        <translation>yalnız aralarında asal dişlerle</translation>
+    </message>
+    <message>
+        <source>No two teeth meet again before each has met all others</source>
+        <translation>Her diş ötekilerin hepsiyle karşılaşmadan aynı iki diş yeniden karşılaşmaz</translation>
+    </message>
+    <message>
+        <source>no undercut</source>
+        <translation>alttan kesme yok</translation>
+    </message>
+    <message>
+        <source>No gear has fewer teeth than a rack cuts without undercut and profile shift</source>
+        <translation>Hiçbir dişlinin dişi, kremayerin alttan kesme ve profil kaydırma olmadan kestiğinden az değildir</translation>
+    </message>
+    <message>
+        <source>Rings to</source>
+        <translation>Çemberler en çok</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Pay</translation>
+    </message>
+    <message>
+        <source>In stock</source>
+        <translation>Eldekiler</translation>
+    </message>
+    <message>
+        <source>Least η</source>
+        <translation>En az η</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 döner</translation>
+    </message>
+    <message>
+        <source>%1 with planets that clear each other</source>
+        <translation>%1 gezegenleri birbirine değmez</translation>
+    </message>
+    <message>
+        <source>%1 with equal planets that go in</source>
+        <translation>%1 eş gezegenleri takılabilir</translation>
+    </message>
+    <message>
+        <source>%1 with hunting teeth only</source>
+        <translation>%1 yalnız aralarında asal dişlerle</translation>
+    </message>
+    <message>
+        <source>%1 without undercut</source>
+        <translation>%1 alttan kesmesiz</translation>
+    </message>
+    <message>
+        <source>%1 within the tolerance</source>
+        <translation>%1 tolerans içinde</translation>
+    </message>
+    <message>
+        <source>Draw a train with gear pairs; then say which ratio it should have, and every choice of whole teeth within your limits is tried.</source>
+        <translation>Dişli çiftleri olan bir takım çizin; sonra hangi oranı vermesi gerektiğini söyleyin, sınırlarınız içindeki her tam diş seçimi denenir.</translation>
+    </message>
+    <message>
+        <source>The teeth could not be searched: %1</source>
+        <translation>Diş sayıları aranamadı: %1</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Aramanın ne kadarının yapıldığı</translation>
+    </message>
+    <message>
+        <source>u: undercut; a profile shift mends it</source>
+        <translation>u: alttan kesme; profil kaydırma giderir</translation>
+    </message>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Sertifikayı kaydet…</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV (Ctrl+C)</source>
+        <translation>Tabloyu CSV olarak kopyala (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV</source>
+        <translation>Tabloyu CSV olarak kaydet</translation>
+    </message>
+    <message>
+        <source>Use these teeth</source>
+        <translation>Bu dişleri kullan</translation>
+    </message>
+    <message>
+        <source>Choices of teeth</source>
+        <translation>Diş seçimleri</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>şimdiye dek %1</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>Aramayı bitir; bulunanlar kalır</translation>
+    </message>
+    <message>
+        <source>The wish cannot be met as it is: see beside its fields.</source>
+        <translation>İstek bu haliyle karşılanamaz: alanlarının yanına bakın.</translation>
+    </message>
+    <message>
+        <source>Type the ratio that you want: every choice of whole teeth is tried.</source>
+        <translation>İstediğiniz oranı yazın: her tam diş seçimi denenir.</translation>
+    </message>
+    <message>
+        <source>All %1 choices tried: complete</source>
+        <translation>%1 seçimin hepsi denendi: eksiksiz</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 choices: not complete</source>
+        <translation>%1 seçimden sonra durduruldu: eksik</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Yeniden ara</translation>
+    </message>
+    <message>
+        <source>Search from the beginning</source>
+        <translation>Baştan ara</translation>
+    </message>
+    <message>
+        <source>%1 meet the wish</source>
+        <translation>%1 isteği karşılar</translation>
+    </message>
+    <message>
+        <source>the best %1 are shown</source>
+        <translation>en iyi %1 gösteriliyor</translation>
+    </message>
+    <message>
+        <source>%1, off by %2</source>
+        <translation>%1, sapma %2</translation>
+    </message>
+    <message>
+        <source>None. Nearest: %1</source>
+        <translation>Yok. En yakını: %1</translation>
+    </message>
+    <message>
+        <source>No choice of teeth is left: the line above says where they end. Wider limits, or more wheels that may change, give more.</source>
+        <translation>Hiçbir seçim kalmadı: nerede bittiklerini yukarıdaki satır söyler. Daha geniş sınırlar ya da değişebilecek daha çok dişli daha fazlasını verir.</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet.</source>
+        <translation>Henüz bir şey bulunmadı.</translation>
+    </message>
+    <message>
+        <source>Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it</source>
+        <translation>Takıma seçili satırın dişlerini ver (Enter); Ctrl+Z geri alır</translation>
+    </message>
+    <message>
+        <source>Choose a row first</source>
+        <translation>Önce bir satır seçin</translation>
+    </message>
+    <message>
+        <source>Save what proves that there are no other choices</source>
+        <translation>Başka seçim olmadığını kanıtlayanı kaydet</translation>
+    </message>
+    <message>
+        <source>There is a certificate when all choices have been tried</source>
+        <translation>Bütün seçimler denendiğinde sertifika verilir</translation>
+    </message>
+    <message>
+        <source>Choose teeth</source>
+        <translation>Diş sayılarını seç</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>seçim %1</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>en yakın</translation>
+    </message>
+    <message>
+        <source>Save certificate</source>
+        <translation>Sertifikayı kaydet</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON dosyaları (*.json);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Mesh %1: every tooth meets every other</source>
+        <translation>Dişli çifti %1: her diş ötekilerin hepsiyle karşılaşır</translation>
+    </message>
+    <message>
+        <source>Mesh %1: a tooth meets one in %2 of the others</source>
+        <translation>Dişli çifti %1: bir diş ötekilerin %2 tanede biriyle karşılaşır</translation>
+    </message>
+    <message>
+        <source>%1: a rack undercuts it without a profile shift</source>
+        <translation>%1: profil kaydırma olmadan kremayer alttan keser</translation>
+    </message>
+    <message>
+        <source>hunting</source>
+        <translation>asal dişler</translation>
+    </message>
+    <message>
+        <source>The best first: the smallest error, then the highest efficiency</source>
+        <translation>Önce en iyisi: en küçük hata, sonra en yüksek verim</translation>
+    </message>
+    <message>
+        <source>Teeth of %1</source>
+        <translation>%1 dişleri</translation>
+    </message>
+    <message>
+        <source>The ratio, exactly</source>
+        <translation>Oran, tam olarak</translation>
+    </message>
+    <message>
+        <source>The ratio, rounded to three decimals</source>
+        <translation>Oran, üç basamağa yuvarlanmış</translation>
+    </message>
+    <message>
+        <source>By how much of the wished ratio it is missed; the dot shows where it is within the tolerance</source>
+        <translation>İstenen oranın ne kadarıyla sapıldığı; nokta tolerans içindeki yeri gösterir</translation>
+    </message>
+    <message>
+        <source>How many equal planets go in at equal distances and clear each other</source>
+        <translation>Eşit aralıklarla, birbirine değmeden kaç eş gezegenin takılabildiği</translation>
+    </message>
+    <message>
+        <source>By pair of wheels: a hunting tooth meets all others before it meets one again</source>
+        <translation>Her dişli çifti için: aralarında asal sayılarda bir diş, birine yeniden rastlamadan ötekilerin hepsiyle karşılaşır</translation>
+    </message>
+    <message>
+        <source>Efficiency of the train, of several ratios the smallest</source>
+        <translation>Takımın verimi, birkaç oranda en küçüğü</translation>
+    </message>
+    <message>
+        <source>The same with the power the other way; none: it locks itself</source>
+        <translation>Güç ters yönde akarken aynısı; yok: kendini kilitler</translation>
+    </message>
+    <message>
+        <source>Teeth for &amp;ratios…</source>
+        <translation>O&amp;ranlar için diş sayıları…</translation>
+    </message>
+    <message>
+        <source>Every choice of whole teeth with which this train has the ratios that you want</source>
+        <translation>Bu takımın istediğiniz oranları verdiği her tam diş seçimi</translation>
+    </message>
+    <message>
+        <source>There is no train yet whose teeth could be chosen.</source>
+        <translation>Dişleri seçilebilecek bir takım henüz yok.</translation>
+    </message>
+    <message>
+        <source>The teeth hold the answer: they open when the step is right or shown.</source>
+        <translation>Dişler cevabı içerir: adım doğru olduğunda ya da gösterildiğinde açılırlar.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
