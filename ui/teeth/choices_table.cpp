@@ -190,11 +190,18 @@ void ChoicesTable::fitColumns() {
   }
 }
 
+int ChoicesTable::chosenRow() const {
+  const QModelIndexList rows = selectionModel()->selectedRows();
+  return rows.isEmpty() ? -1 : rows.front().row();
+}
+
 void ChoicesTable::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Copy)) return emit copyWanted();
   const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isReturn && currentIndex().isValid()) return emit taken(currentIndex().row());
-  if (event->key() == Qt::Key_Escape && currentIndex().isValid()) return emit putBack();
+  const bool isArrow = event->key() == Qt::Key_Down || event->key() == Qt::Key_Up;
+  if (isReturn && chosenRow() >= 0) return emit taken(chosenRow());
+  if (event->key() == Qt::Key_Escape && chosenRow() >= 0) return emit putBack();
+  if (isArrow && chosenRow() < 0 && m_choices->rowCount() > 0) return selectRow(0);
   QTableView::keyPressEvent(event);
 }
 

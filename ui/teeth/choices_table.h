@@ -15,6 +15,8 @@ class ChoicesTable : public QTableView {
  public:
   explicit ChoicesTable(ChoicesModel* model, QWidget* parent = nullptr);
   void fitColumns();
+  /// The row that is chosen; -1: none. One that only has the focus is not.
+  [[nodiscard]] int chosenRow() const;
 
  signals:
   void taken(int row);

@@ -99,9 +99,9 @@ TeethPanel::TeethPanel(Document* document, QWidget* parent)
   });
   connect(document, &Document::changed, this, &TeethPanel::onDocument);
   connect(document, &Document::replaced, this, &TeethPanel::onReplaced);
-  connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &TeethPanel::onRow);
+  connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &TeethPanel::onRow);
   connect(m_table, &ChoicesTable::taken, this, &TeethPanel::take);
-  connect(m_table, &ChoicesTable::putBack, this, [this] { m_table->setCurrentIndex({}); });
+  connect(m_table, &ChoicesTable::putBack, m_table, &QTableView::clearSelection);
   connect(m_table, &ChoicesTable::copyWanted, this, &TeethPanel::copy);
   m_whole->setCurrentIndex(hasMeshes() ? 0 : 1);
   m_form->setMechanism(document->mechanism());
@@ -156,7 +156,7 @@ QWidget* TeethPanel::makeFoot() {
   connect(m_copy, &QToolButton::clicked, this, &TeethPanel::copy);
   connect(m_csv, &QToolButton::clicked, this,
           [this] { emit exportWanted(QStringLiteral("teeth.csv"), m_model->csv()); });
-  connect(m_use, &QToolButton::clicked, this, [this] { take(m_table->currentIndex().row()); });
+  connect(m_use, &QToolButton::clicked, this, [this] { take(m_table->chosenRow()); });
   auto* layout = new QHBoxLayout(foot);
   layout->setContentsMargins(8, 2, 10, 6);
   layout->setSpacing(6);
@@ -354,7 +354,7 @@ bool TeethPanel::isCurrent() const {
 }
 
 void TeethPanel::renewButtons() {
-  const bool isChosen = m_table->currentIndex().isValid() && m_model->rowCount() > 0;
+  const bool isChosen = m_table->chosenRow() >= 0;
   m_use->setEnabled(isChosen && isCurrent());
   m_use->setToolTip(isChosen ? tr("Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it")
                              : tr("Choose a row first"));
@@ -375,7 +375,7 @@ Edit TeethPanel::editOf(int row) const {
 
 void TeethPanel::onRow() {
   if (m_isFilling) return;
-  const int row = m_table->currentIndex().row();
+  const int row = m_table->chosenRow();
   renewButtons();
   if (row < 0) {
     m_form->wheels().setChosen({}, {});
