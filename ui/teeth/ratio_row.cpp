@@ -132,11 +132,18 @@ RatioRow::RatioRow(int number, QWidget* parent)
   connect(m_remove, &QToolButton::clicked, this, &RatioRow::removeWanted);
 }
 
+/// During a drag the texts stay the same, and so does the list.
 void RatioRow::offer(QComboBox& box, const Mechanism& mechanism) {
+  QStringList texts;
+  for (int link = 1; link <= std::min(mechanism.n(), kMaxOffered); ++link)
+    texts << offeredText(mechanism, link);
+  bool isSame = box.count() == texts.size();
+  for (int item = 0; isSame && item < box.count(); ++item) isSame = box.itemText(item) == texts[item];
+  if (isSame) return;
   const QVariant chosen = box.currentData();
   box.clear();
-  for (int link = 1; link <= std::min(mechanism.n(), kMaxOffered); ++link)
-    box.addItem(offeredText(mechanism, link), QString::number(mechanism.linkLabel(link)));
+  for (int item = 0; item < static_cast<int>(texts.size()); ++item)
+    box.addItem(texts[item], QString::number(mechanism.linkLabel(item + 1)));
   box.setCurrentIndex(box.findData(chosen));
 }
 

@@ -197,8 +197,10 @@ void TeethPanel::setAwake(bool awake) {
   if (awake == m_isAwake) return;
   m_isAwake = awake;
   if (awake) return onDocument();
-  m_pause.stop();
   endPreview();
+  if (!m_pause.isActive()) return;
+  m_pause.stop();
+  if (isSettled()) emit settled();
 }
 
 bool TeethPanel::isSettled() const {

@@ -179,7 +179,7 @@ void WishForm::makeLimits() {
                         tr("No two teeth meet again before each has met all others"));
   m_noUndercut = makeCheck(QStringLiteral("noUndercut"), tr("no undercut"),
                            tr("No gear has fewer teeth than a rack cuts without undercut and profile shift"));
-  addLimit(tr("Teeth"), {m_fewest, new QLabel(tr("to"), this), m_most});
+  addLimit(tr("Teeth"), {m_fewest, new QLabel(QStringLiteral("–"), this), m_most});
   addLimit(tr("Rings to"), {m_mostRing});
   addLimit(tr("Planets"), {m_planets});
   addLimit(tr("Module"), {m_module});
