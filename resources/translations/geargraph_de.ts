@@ -16643,6 +16643,194 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The teeth hold the answer: they open when the step is right or shown.</source>
         <translation>Die Zähne enthalten die Antwort: sie öffnen sich, wenn der Schritt richtig oder gezeigt ist.</translation>
     </message>
+    <message>
+        <source>Levers</source>
+        <translation>Hebel</translation>
+    </message>
+    <message>
+        <source>Each gear set as a lever, its links at their places</source>
+        <translation>Jeder Radsatz als Hebel, seine Glieder an ihren Stellen</translation>
+    </message>
+    <message>
+        <source>Nomogram</source>
+        <translation>Nomogramm</translation>
+    </message>
+    <message>
+        <source>The states of the gearbox as lines across the speeds of its links</source>
+        <translation>Die Schaltzustände des Getriebes als Linien über die Drehzahlen seiner Glieder</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Lageplan</translation>
+    </message>
+    <message>
+        <source>The plane of the links that is left when the coupling engaged last is let go</source>
+        <translation>Die Ebene der Glieder, die bleibt, wenn das zuletzt geschlossene Schaltelement gelöst wird</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: how fast each link turns</source>
+        <translation>Pfeile rechts der Stäbe: wie schnell sich jedes Glied dreht</translation>
+    </message>
+    <message>
+        <source>Arrows to the left of the bars: the torques of the links on the lever, which add up to zero</source>
+        <translation>Pfeile links der Stäbe: die Momente der Glieder auf den Hebel, deren Summe null ist</translation>
+    </message>
+    <message>
+        <source>With so many inputs no arrow is dragged: set them in Inputs and results</source>
+        <translation>Bei so vielen Antrieben wird kein Pfeil gezogen: Sie werden unter Antriebe und Ergebnisse eingestellt</translation>
+    </message>
+    <message>
+        <source>Input %1: %2 rad/s. Esc puts back</source>
+        <translation>Antrieb %1: %2 rad/s. Esc stellt zurück</translation>
+    </message>
+    <message>
+        <source>No input turns this link: there is no speed to set</source>
+        <translation>Kein Antrieb dreht dieses Glied: Es gibt keine Geschwindigkeit einzustellen</translation>
+    </message>
+    <message>
+        <source>Speed of the link, rad/s</source>
+        <translation>Geschwindigkeit des Glieds, rad/s</translation>
+    </message>
+    <message>
+        <source>“%1” is no speed: a number, or one with a unit such as 30 rpm</source>
+        <translation>„%1“ ist keine Geschwindigkeit: eine Zahl, oder eine mit Einheit wie 30 rpm</translation>
+    </message>
+    <message>
+        <source>%1 for %2: state %3</source>
+        <translation>%1 statt %2: Schaltzustand %3</translation>
+    </message>
+    <message>
+        <source>, ratio %1</source>
+        <translation>, Übersetzung %1</translation>
+    </message>
+    <message>
+        <source>let go of %1: 1 freedom</source>
+        <translation>%1 lösen: 1 Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>let go of %1: %2 freedoms</source>
+        <translation>%1 lösen: %2 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>hold it (B): it does not turn anyway</source>
+        <translation>festhalten (B): Es dreht sich ohnehin nicht</translation>
+    </message>
+    <message>
+        <source>hold it (B): nothing turns any more</source>
+        <translation>festhalten (B): Dann dreht sich nichts mehr</translation>
+    </message>
+    <message>
+        <source>hold it (B): 1 freedom</source>
+        <translation>festhalten (B): 1 Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>hold it (B): %1 freedoms</source>
+        <translation>festhalten (B): %1 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>instead</source>
+        <translation>sonst</translation>
+    </message>
+    <message>
+        <source>State %1: nothing engaged</source>
+        <translation>Schaltzustand %1: nichts geschlossen</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Schaltzustand %1: %2</translation>
+    </message>
+    <message>
+        <source>The levers hold the answer: they are shown when the step is right or shown.</source>
+        <translation>Die Hebel enthalten die Antwort: Sie erscheinen, wenn der Schritt richtig ist oder gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The levers are still being laid out. Try again in a moment.</source>
+        <translation>Die Hebel werden noch angeordnet. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow: the train turns with it. Click a point to select its link, B holds it</source>
+        <translation>Ziehen Sie an einem Pfeil: Das Getriebe dreht sich mit. Ein Klick auf einen Punkt wählt sein Glied, B hält es fest</translation>
+    </message>
+    <message>
+        <source>Click a line or its tag to engage the state</source>
+        <translation>Ein Klick auf eine Linie oder ihr Schild schaltet den Zustand</translation>
+    </message>
+    <message>
+        <source>Engaging a coupling draws the plane together along its dotted line</source>
+        <translation>Ein Schaltelement zu schließen zieht die Ebene entlang seiner gepunkteten Linie zusammen</translation>
+    </message>
+    <message>
+        <source>Gear sets as levers: speeds and torques of the links on the ground&apos;s axis</source>
+        <translation>Radsätze als Hebel: Geschwindigkeiten und Momente der Glieder auf der Gestellachse</translation>
+    </message>
+    <message>
+        <source>Speeds and torques on levers, the states of a gearbox as a nomogram, and the plane of two freedoms.</source>
+        <translation>Geschwindigkeiten und Momente an Hebeln, die Schaltzustände eines Getriebes als Nomogramm, und die Ebene zweier Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Glieder %1</translation>
+    </message>
+    <message>
+        <source>Link %1 (%2)</source>
+        <translation>Glied %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: held by brake %2</source>
+        <translation>%1: von Bremse %2 gehalten</translation>
+    </message>
+    <message>
+        <source>, as %1 : %2 teeth</source>
+        <translation>, wie %1 : %2 Zähne</translation>
+    </message>
+    <message>
+        <source>an end of the lever, %1 the other</source>
+        <translation>ein Ende des Hebels, %1 das andere</translation>
+    </message>
+    <message>
+        <source>%1 divides %2 to %3 in %4 : %5</source>
+        <translation>%1 teilt %2 bis %3 im Verhältnis %4 : %5</translation>
+    </message>
+    <message>
+        <source>: %1 of the speed of %2 and %3 of that of %4</source>
+        <translation>: %1 der Geschwindigkeit von %2 und %3 derer von %4</translation>
+    </message>
+    <message>
+        <source>, by these tooth counts only</source>
+        <translation>, nur bei diesen Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 N m on this lever</source>
+        <translation>%1 N m auf diesen Hebel</translation>
+    </message>
+    <message>
+        <source>, %1 of the way from %2 to %3</source>
+        <translation>, %1 des Wegs von %2 nach %3</translation>
+    </message>
+    <message>
+        <source>, an end of the lever</source>
+        <translation>, ein Ende des Hebels</translation>
+    </message>
+    <message>
+        <source>, %1 rad/s</source>
+        <translation>, %1 rad/s</translation>
+    </message>
+    <message>
+        <source>, %1 N m</source>
+        <translation>, %1 N m</translation>
+    </message>
+    <message>
+        <source>Along a lever, to the next one</source>
+        <translation>Am Hebel entlang, zum nächsten</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Auf und Ab, Tab</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -16703,8 +16891,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Der Mechanismus im Schnitt, wie in Lehrbüchern. Auch hier lässt sich zeichnen.</translation>
     </message>
     <message>
-        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
-        <translation>Der Mechanismus, auf drei Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>Der Mechanismus, auf vier Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
     </message>
     <message>
         <source>Tools for drawing, undo and redo, the motion, and the search field.</source>

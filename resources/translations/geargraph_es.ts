@@ -16643,6 +16643,194 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The teeth hold the answer: they open when the step is right or shown.</source>
         <translation>Los dientes contienen la respuesta: se abren cuando el paso es correcto o se muestra.</translation>
     </message>
+    <message>
+        <source>Levers</source>
+        <translation>Palancas</translation>
+    </message>
+    <message>
+        <source>Each gear set as a lever, its links at their places</source>
+        <translation>Cada juego de engranajes como palanca, con sus eslabones en su sitio</translation>
+    </message>
+    <message>
+        <source>Nomogram</source>
+        <translation>Nomograma</translation>
+    </message>
+    <message>
+        <source>The states of the gearbox as lines across the speeds of its links</source>
+        <translation>Los estados de la caja como líneas a través de las velocidades de sus eslabones</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>The plane of the links that is left when the coupling engaged last is let go</source>
+        <translation>El plano de los eslabones que queda al soltar el último acoplamiento activado</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: how fast each link turns</source>
+        <translation>Flechas a la derecha de las barras: a qué velocidad gira cada eslabón</translation>
+    </message>
+    <message>
+        <source>Arrows to the left of the bars: the torques of the links on the lever, which add up to zero</source>
+        <translation>Flechas a la izquierda de las barras: los pares de los eslabones sobre la palanca, que suman cero</translation>
+    </message>
+    <message>
+        <source>With so many inputs no arrow is dragged: set them in Inputs and results</source>
+        <translation>Con tantas entradas no se arrastra ninguna flecha: se ajustan en Entradas y resultados</translation>
+    </message>
+    <message>
+        <source>Input %1: %2 rad/s. Esc puts back</source>
+        <translation>Entrada %1: %2 rad/s. Esc la devuelve</translation>
+    </message>
+    <message>
+        <source>No input turns this link: there is no speed to set</source>
+        <translation>Ninguna entrada gira este eslabón: no hay velocidad que ajustar</translation>
+    </message>
+    <message>
+        <source>Speed of the link, rad/s</source>
+        <translation>Velocidad del eslabón, rad/s</translation>
+    </message>
+    <message>
+        <source>“%1” is no speed: a number, or one with a unit such as 30 rpm</source>
+        <translation>«%1» no es una velocidad: un número, o uno con unidad como 30 rpm</translation>
+    </message>
+    <message>
+        <source>%1 for %2: state %3</source>
+        <translation>%1 en lugar de %2: estado %3</translation>
+    </message>
+    <message>
+        <source>, ratio %1</source>
+        <translation>, relación %1</translation>
+    </message>
+    <message>
+        <source>let go of %1: 1 freedom</source>
+        <translation>soltar %1: 1 grado de libertad</translation>
+    </message>
+    <message>
+        <source>let go of %1: %2 freedoms</source>
+        <translation>soltar %1: %2 grados de libertad</translation>
+    </message>
+    <message>
+        <source>hold it (B): it does not turn anyway</source>
+        <translation>retenerlo (B): de todos modos no gira</translation>
+    </message>
+    <message>
+        <source>hold it (B): nothing turns any more</source>
+        <translation>retenerlo (B): ya nada gira</translation>
+    </message>
+    <message>
+        <source>hold it (B): 1 freedom</source>
+        <translation>retenerlo (B): 1 grado de libertad</translation>
+    </message>
+    <message>
+        <source>hold it (B): %1 freedoms</source>
+        <translation>retenerlo (B): %1 grados de libertad</translation>
+    </message>
+    <message>
+        <source>instead</source>
+        <translation>en cambio</translation>
+    </message>
+    <message>
+        <source>State %1: nothing engaged</source>
+        <translation>Estado %1: nada activado</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Estado %1: %2</translation>
+    </message>
+    <message>
+        <source>The levers hold the answer: they are shown when the step is right or shown.</source>
+        <translation>Las palancas contienen la respuesta: aparecen cuando el paso es correcto o se muestra.</translation>
+    </message>
+    <message>
+        <source>The levers are still being laid out. Try again in a moment.</source>
+        <translation>Las palancas aún se están disponiendo. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow: the train turns with it. Click a point to select its link, B holds it</source>
+        <translation>Arrastre una flecha: el tren gira con ella. Un clic en un punto selecciona su eslabón, B lo retiene</translation>
+    </message>
+    <message>
+        <source>Click a line or its tag to engage the state</source>
+        <translation>Un clic en una línea o en su etiqueta activa el estado</translation>
+    </message>
+    <message>
+        <source>Engaging a coupling draws the plane together along its dotted line</source>
+        <translation>Activar un acoplamiento junta el plano a lo largo de su línea de puntos</translation>
+    </message>
+    <message>
+        <source>Gear sets as levers: speeds and torques of the links on the ground&apos;s axis</source>
+        <translation>Juegos de engranajes como palancas: velocidades y pares de los eslabones del eje del bastidor</translation>
+    </message>
+    <message>
+        <source>Speeds and torques on levers, the states of a gearbox as a nomogram, and the plane of two freedoms.</source>
+        <translation>Velocidades y pares en palancas, los estados de una caja como nomograma y el plano de dos grados de libertad.</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Eslabones %1</translation>
+    </message>
+    <message>
+        <source>Link %1 (%2)</source>
+        <translation>Eslabón %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: held by brake %2</source>
+        <translation>%1: retenido por el freno %2</translation>
+    </message>
+    <message>
+        <source>, as %1 : %2 teeth</source>
+        <translation>, como %1 : %2 dientes</translation>
+    </message>
+    <message>
+        <source>an end of the lever, %1 the other</source>
+        <translation>un extremo de la palanca, %1 el otro</translation>
+    </message>
+    <message>
+        <source>%1 divides %2 to %3 in %4 : %5</source>
+        <translation>%1 divide de %2 a %3 en %4 : %5</translation>
+    </message>
+    <message>
+        <source>: %1 of the speed of %2 and %3 of that of %4</source>
+        <translation>: %1 de la velocidad de %2 y %3 de la de %4</translation>
+    </message>
+    <message>
+        <source>, by these tooth counts only</source>
+        <translation>, solo con estos números de dientes</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>%1 N m on this lever</source>
+        <translation>%1 N m sobre esta palanca</translation>
+    </message>
+    <message>
+        <source>, %1 of the way from %2 to %3</source>
+        <translation>, a %1 del camino de %2 a %3</translation>
+    </message>
+    <message>
+        <source>, an end of the lever</source>
+        <translation>, un extremo de la palanca</translation>
+    </message>
+    <message>
+        <source>, %1 rad/s</source>
+        <translation>, %1 rad/s</translation>
+    </message>
+    <message>
+        <source>, %1 N m</source>
+        <translation>, %1 N m</translation>
+    </message>
+    <message>
+        <source>Along a lever, to the next one</source>
+        <translation>A lo largo de una palanca, a la siguiente</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Arriba y Abajo, Tab</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -16703,8 +16891,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>El mecanismo en sección, como en los libros de texto. También aquí se puede dibujar.</translation>
     </message>
     <message>
-        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
-        <translation>El mecanismo dibujado de tres maneras; un clic en una pestaña elige una.</translation>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>El mecanismo dibujado de cuatro maneras; un clic en una pestaña elige una.</translation>
     </message>
     <message>
         <source>Tools for drawing, undo and redo, the motion, and the search field.</source>

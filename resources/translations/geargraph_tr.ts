@@ -16642,6 +16642,194 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <source>The teeth hold the answer: they open when the step is right or shown.</source>
         <translation>Dişler cevabı içerir: adım doğru olduğunda ya da gösterildiğinde açılırlar.</translation>
     </message>
+    <message>
+        <source>Levers</source>
+        <translation>Kollar</translation>
+    </message>
+    <message>
+        <source>Each gear set as a lever, its links at their places</source>
+        <translation>Her dişli takımı bir kol olarak, uzuvları yerlerinde</translation>
+    </message>
+    <message>
+        <source>Nomogram</source>
+        <translation>Nomogram</translation>
+    </message>
+    <message>
+        <source>The states of the gearbox as lines across the speeds of its links</source>
+        <translation>Vites kutusunun durumları, uzuvlarının hızları boyunca doğrular olarak</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Düzlem</translation>
+    </message>
+    <message>
+        <source>The plane of the links that is left when the coupling engaged last is let go</source>
+        <translation>En son devreye alınan eleman ayrıldığında kalan uzuv düzlemi</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: how fast each link turns</source>
+        <translation>Çubukların sağındaki oklar: her uzvun ne kadar hızlı döndüğü</translation>
+    </message>
+    <message>
+        <source>Arrows to the left of the bars: the torques of the links on the lever, which add up to zero</source>
+        <translation>Çubukların solundaki oklar: uzuvların kola uyguladığı, toplamı sıfır olan momentler</translation>
+    </message>
+    <message>
+        <source>With so many inputs no arrow is dragged: set them in Inputs and results</source>
+        <translation>Bu kadar çok girişle ok sürüklenmez: girişler Girişler ve sonuçlar panelinde ayarlanır</translation>
+    </message>
+    <message>
+        <source>Input %1: %2 rad/s. Esc puts back</source>
+        <translation>Giriş %1: %2 rad/s. Esc geri alır</translation>
+    </message>
+    <message>
+        <source>No input turns this link: there is no speed to set</source>
+        <translation>Bu uzvu hiçbir giriş döndürmüyor: ayarlanacak hız yok</translation>
+    </message>
+    <message>
+        <source>Speed of the link, rad/s</source>
+        <translation>Uzvun hızı, rad/s</translation>
+    </message>
+    <message>
+        <source>“%1” is no speed: a number, or one with a unit such as 30 rpm</source>
+        <translation>“%1” bir hız değil: bir sayı ya da 30 rpm gibi birimli bir sayı</translation>
+    </message>
+    <message>
+        <source>%1 for %2: state %3</source>
+        <translation>%2 yerine %1: durum %3</translation>
+    </message>
+    <message>
+        <source>, ratio %1</source>
+        <translation>, oran %1</translation>
+    </message>
+    <message>
+        <source>let go of %1: 1 freedom</source>
+        <translation>%1 ayrılırsa: 1 serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>let go of %1: %2 freedoms</source>
+        <translation>%1 ayrılırsa: %2 serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>hold it (B): it does not turn anyway</source>
+        <translation>tutulursa (B): zaten dönmüyor</translation>
+    </message>
+    <message>
+        <source>hold it (B): nothing turns any more</source>
+        <translation>tutulursa (B): artık hiçbir şey dönmez</translation>
+    </message>
+    <message>
+        <source>hold it (B): 1 freedom</source>
+        <translation>tutulursa (B): 1 serbestlik</translation>
+    </message>
+    <message>
+        <source>hold it (B): %1 freedoms</source>
+        <translation>tutulursa (B): %1 serbestlik</translation>
+    </message>
+    <message>
+        <source>instead</source>
+        <translation>yerine</translation>
+    </message>
+    <message>
+        <source>State %1: nothing engaged</source>
+        <translation>Durum %1: hiçbir şey devrede değil</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Durum %1: %2</translation>
+    </message>
+    <message>
+        <source>The levers hold the answer: they are shown when the step is right or shown.</source>
+        <translation>Kollar yanıtı içeriyor: adım doğru olunca ya da gösterilince görünürler.</translation>
+    </message>
+    <message>
+        <source>The levers are still being laid out. Try again in a moment.</source>
+        <translation>Kollar hâlâ yerleştiriliyor. Birazdan yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow: the train turns with it. Click a point to select its link, B holds it</source>
+        <translation>Bir oku sürükleyin: dişli takımı onunla döner. Bir noktaya tıklamak uzvunu seçer, B onu tutar</translation>
+    </message>
+    <message>
+        <source>Click a line or its tag to engage the state</source>
+        <translation>Bir doğruya ya da etiketine tıklamak durumu devreye alır</translation>
+    </message>
+    <message>
+        <source>Engaging a coupling draws the plane together along its dotted line</source>
+        <translation>Bir elemanı devreye almak düzlemi onun noktalı çizgisi boyunca bir araya getirir</translation>
+    </message>
+    <message>
+        <source>Gear sets as levers: speeds and torques of the links on the ground&apos;s axis</source>
+        <translation>Kol olarak dişli takımları: sabit uzuv ekseni üzerindeki uzuvların hızları ve momentleri</translation>
+    </message>
+    <message>
+        <source>Speeds and torques on levers, the states of a gearbox as a nomogram, and the plane of two freedoms.</source>
+        <translation>Kollar üzerinde hızlar ve momentler, nomogram olarak bir vites kutusunun durumları ve iki serbestliğin düzlemi.</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Uzuvlar %1</translation>
+    </message>
+    <message>
+        <source>Link %1 (%2)</source>
+        <translation>Uzuv %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: held by brake %2</source>
+        <translation>%1: %2 freni tutuyor</translation>
+    </message>
+    <message>
+        <source>, as %1 : %2 teeth</source>
+        <translation>, %1 : %2 diş gibi</translation>
+    </message>
+    <message>
+        <source>an end of the lever, %1 the other</source>
+        <translation>kolun bir ucu, öbür ucu %1</translation>
+    </message>
+    <message>
+        <source>%1 divides %2 to %3 in %4 : %5</source>
+        <translation>%1, %2 ile %3 arasını %4 : %5 böler</translation>
+    </message>
+    <message>
+        <source>: %1 of the speed of %2 and %3 of that of %4</source>
+        <translation>: %2 hızının %1 kadarı ve %4 hızının %3 kadarı</translation>
+    </message>
+    <message>
+        <source>, by these tooth counts only</source>
+        <translation>, yalnızca bu diş sayılarıyla</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>hız</translation>
+    </message>
+    <message>
+        <source>%1 N m on this lever</source>
+        <translation>bu kolda %1 N m</translation>
+    </message>
+    <message>
+        <source>, %1 of the way from %2 to %3</source>
+        <translation>, %2 ile %3 arasındaki yolun %1 kadarında</translation>
+    </message>
+    <message>
+        <source>, an end of the lever</source>
+        <translation>, kolun bir ucu</translation>
+    </message>
+    <message>
+        <source>, %1 rad/s</source>
+        <translation>, %1 rad/s</translation>
+    </message>
+    <message>
+        <source>, %1 N m</source>
+        <translation>, %1 N m</translation>
+    </message>
+    <message>
+        <source>Along a lever, to the next one</source>
+        <translation>Kol boyunca, sonrakine</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Yukarı ve Aşağı, Tab</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -16702,8 +16890,8 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Ders kitaplarındaki gibi kesit olarak mekanizma. Burada da çizilebilir.</translation>
     </message>
     <message>
-        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
-        <translation>Üç biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>Dört biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
     </message>
     <message>
         <source>Tools for drawing, undo and redo, the motion, and the search field.</source>

@@ -74,6 +74,7 @@ std::optional<ReportLists> WindowExports::shownLists() {
     if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
     if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
+    if (each->objectName() == QLatin1String("levers")) continue;  // no part of it
     const QString why = each->whyNoPicture();
     if (why.isEmpty()) continue;
     emit rejected(why);

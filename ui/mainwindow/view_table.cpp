@@ -6,6 +6,7 @@
 #include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/inputs/inputs_and_results.h"
+#include "ui/levers/levers_view.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
@@ -19,9 +20,9 @@ namespace geargraph::inline mainwindow {
 
 std::vector<ViewEntry> viewTable() {
   return {
-      digraphView(),    ttGraphView(), schematicView(), matricesView(),   problemsView(),
-      view3dView(),     inputsView(),  gearboxView(),   propertiesView(), speedsView(),
-      derivationView(), forcesView(),  dynamicsView(),  teethView(),
+      digraphView(),  ttGraphView(),    schematicView(), leversView(),   matricesView(),
+      problemsView(), view3dView(),     inputsView(),    gearboxView(),  propertiesView(),
+      speedsView(),   derivationView(), forcesView(),    dynamicsView(), teethView(),
   };
 }
 

@@ -228,7 +228,7 @@ std::optional<StatesOnLevers> statesOnLevers(const AnalysisSnapshot& snapshot, c
   model.hold({});
   auto plan = leverPlanOf(model, kinematics->placement(), {}, stop);
   if (!plan) return std::nullopt;
-  StatesOnLevers found{*std::move(plan), {}, engagedState(*snapshot.mechanism)};
+  StatesOnLevers found{*std::move(plan), {}, shownState(*snapshot.mechanism)};
   if (snapshot.states) {
     found.states = *snapshot.states;
     return found;

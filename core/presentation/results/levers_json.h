@@ -31,7 +31,7 @@ namespace geargraph::inline results {
 struct StatesOnLevers {
   LeverPlan plan;
   std::vector<StateSolution> states;
-  std::optional<int> current;  ///< engagedState()
+  std::optional<int> current;  ///< shownState()
 };
 /// Of a train that is not finished the plan says so. std::nullopt if `stop` was requested.
 /// Cost: leverPlanOf(), and solveStates() where the snapshot has no states yet.
