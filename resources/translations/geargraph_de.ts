@@ -16830,6 +16830,188 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Up and Down, Tab</source>
         <translation>Auf und Ab, Tab</translation>
+        <source>%1, of your train</source>
+        <translation>%1, aus Ihrem Getriebe</translation>
+    </message>
+    <message>
+        <source>%1
+axes: %2
+gear pairs / carrier: %3</source>
+        <translation>%1
+Achsen: %2
+Radpaare / Steg: %3</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 Ketten</translation>
+    </message>
+    <message>
+        <source>one of %1 links that is not in the atlas</source>
+        <translation>eine mit %1 Gliedern, die nicht im Atlas ist</translation>
+    </message>
+    <message>
+        <source>(cannot turn)</source>
+        <translation>(kann sich nicht drehen)</translation>
+    </message>
+    <message>
+        <source>(turns by these tooth counts only)</source>
+        <translation>(dreht sich nur mit diesen Zähnezahlen)</translation>
+    </message>
+    <message>
+        <source>in no gear pair: %1</source>
+        <translation>in keinem Radpaar: %1</translation>
+    </message>
+    <message>
+        <source>planets that repeat another: %1</source>
+        <translation>Planeten, die einen anderen wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>brakes and clutches</source>
+        <translation>Bremsen und Kupplungen</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>Your train is unfinished: %1</source>
+        <translation>Ihr Getriebe ist unfertig: %1</translation>
+    </message>
+    <message>
+        <source>Your train has no gear pair yet.</source>
+        <translation>Ihr Getriebe hat noch kein Radpaar.</translation>
+    </message>
+    <message>
+        <source>Your train is %1</source>
+        <translation>Ihr Getriebe ist %1</translation>
+    </message>
+    <message>
+        <source>Your train is %1 chains: %2</source>
+        <translation>Ihr Getriebe besteht aus %1 Ketten: %2</translation>
+    </message>
+    <message>
+        <source>Open as document</source>
+        <translation>Als Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>Show in my train</source>
+        <translation>In meinem Getriebe zeigen</translation>
+    </message>
+    <message>
+        <source>Copy number</source>
+        <translation>Nummer kopieren</translation>
+    </message>
+    <message>
+        <source>Select the links and gear pairs of your train that are this chain</source>
+        <translation>Die Glieder und Radpaare Ihres Getriebes auswählen, die diese Kette sind</translation>
+    </message>
+    <message>
+        <source>Your train is being identified…</source>
+        <translation>Ihr Getriebe wird bestimmt…</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs</source>
+        <translation>%1 Glieder, %2 Achsen, %3 Radpaare</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
+        <translation>%1 Glieder, %2 Achsen, %3 Radpaare; Freiheitsgrad %4, wenn ein Glied festgehalten ist</translation>
+    </message>
+    <message>
+        <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
+        <translation>Sie kann sich nicht drehen: %1 Radpaare sind ebenso viele Bedingungen für die Drehzahlen von %2 Gliedern, von denen eines festgehalten ist.</translation>
+    </message>
+    <message>
+        <source>Same equations, other shafts: %1</source>
+        <translation>Gleiche Gleichungen, andere Wellen: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair less: %1</source>
+        <translation>Ein Radpaar weniger: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair more: %1</source>
+        <translation>Ein Radpaar mehr: %1</translation>
+    </message>
+    <message>
+        <source>Digraph of chain %1</source>
+        <translation>Digraph der Kette %1</translation>
+    </message>
+    <message>
+        <source>With the numbers and colours of your links</source>
+        <translation>Mit den Nummern und Farben Ihrer Glieder</translation>
+    </message>
+    <message>
+        <source>Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</source>
+        <translation>Anzahlen für Freiheitsgrad 1 wie in Yang, Ding u. a., J. Mech. Des. 141(4), 2019, 043301</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. Chains: with the axes, too (displacement graphs). Left out are chains in which m gear pairs have fewer than m + 2 links between them, so that these turn as one; the smallest of them are the trains that cannot turn.</source>
+        <translation>Eine Kette sind Glieder, Achsen und Radpaare, jedes Paar mit dem Glied, das beide Räder trägt. Welches Glied festgehalten ist, Zähne, Arten von Rädern und die Gelenke, mit denen gleichachsige Glieder gezeichnet sind, spielen keine Rolle. Gleichungen: allein die Tripel Rad, Rad, Steg (Rotationsgraphen), also die Gleichungen der Drehzahlen. Ketten: auch mit den Achsen (Verschiebungsgraphen). Weggelassen sind Ketten, in denen m Radpaare weniger als m + 2 Glieder zwischen sich haben, sodass diese sich wie eines drehen; die kleinsten davon sind die Getriebe, die sich nicht drehen können.</translation>
+    </message>
+    <message>
+        <source>Freedom, one link held</source>
+        <translation>Freiheitsgrad, ein Glied fest</translation>
+    </message>
+    <message>
+        <source>No link parts the chain in two, and every link is in a gear pair</source>
+        <translation>Kein Glied teilt die Kette in zwei, und jedes Glied ist in einem Radpaar</translation>
+    </message>
+    <message>
+        <source>Chains with the same equations of speeds differ in their shafts only</source>
+        <translation>Ketten mit denselben Gleichungen der Drehzahlen unterscheiden sich nur in den Wellen</translation>
+    </message>
+    <message>
+        <source>Trains that cannot turn, and why</source>
+        <translation>Getriebe, die sich nicht drehen können, und warum</translation>
+    </message>
+    <message>
+        <source>Number, as 6-1.5</source>
+        <translation>Nummer, etwa 6-1.5</translation>
+    </message>
+    <message>
+        <source>What is counted?</source>
+        <translation>Was wird gezählt?</translation>
+    </message>
+    <message>
+        <source>Chains with 1 freedom</source>
+        <translation>Ketten mit Freiheitsgrad 1</translation>
+    </message>
+    <message>
+        <source>nonfractionated (%1)</source>
+        <translation>nicht zerlegbar (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; %3 equations</source>
+        <translation>%1 von %2 Ketten; %3 Gleichungen</translation>
+    </message>
+    <message>
+        <source>equations of %1 only</source>
+        <translation>nur Gleichungen von %1</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them your train is. Arrow keys walk, Enter opens one as a document, / finds a number.</source>
+        <translation>Alle Räderketten bis 7 Glieder, und welche davon Ihr Getriebe ist. Pfeiltasten gehen weiter, Enter öffnet eine als Dokument, / sucht eine Nummer.</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, filtered and counted, and which your train is.</source>
+        <translation>Räderketten, gefiltert und gezählt, und welche davon Ihr Getriebe ist.</translation>
+    </message>
+    <message>
+        <source>Atlas of &amp;chains</source>
+        <translation>Atlas der &amp;Ketten</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
+        <translation>Alle Räderketten bis 7 Glieder, und welche davon dieses Getriebe ist</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Neues Dokument</translation>
     </message>
 </context>
 <context>

@@ -16830,6 +16830,188 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Up and Down, Tab</source>
         <translation>Arriba y Abajo, Tab</translation>
+        <source>%1, of your train</source>
+        <translation>%1, de su tren</translation>
+    </message>
+    <message>
+        <source>%1
+axes: %2
+gear pairs / carrier: %3</source>
+        <translation>%1
+ejes: %2
+pares / portasatélites: %3</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 cadenas</translation>
+    </message>
+    <message>
+        <source>one of %1 links that is not in the atlas</source>
+        <translation>una de %1 eslabones que no está en el atlas</translation>
+    </message>
+    <message>
+        <source>(cannot turn)</source>
+        <translation>(no puede girar)</translation>
+    </message>
+    <message>
+        <source>(turns by these tooth counts only)</source>
+        <translation>(gira solo con estos números de dientes)</translation>
+    </message>
+    <message>
+        <source>in no gear pair: %1</source>
+        <translation>en ningún par: %1</translation>
+    </message>
+    <message>
+        <source>planets that repeat another: %1</source>
+        <translation>satélites que repiten otro: %1</translation>
+    </message>
+    <message>
+        <source>brakes and clutches</source>
+        <translation>frenos y embragues</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Fuera: %1</translation>
+    </message>
+    <message>
+        <source>Your train is unfinished: %1</source>
+        <translation>Su tren está sin terminar: %1</translation>
+    </message>
+    <message>
+        <source>Your train has no gear pair yet.</source>
+        <translation>Su tren aún no tiene ningún par.</translation>
+    </message>
+    <message>
+        <source>Your train is %1</source>
+        <translation>Su tren es %1</translation>
+    </message>
+    <message>
+        <source>Your train is %1 chains: %2</source>
+        <translation>Su tren son %1 cadenas: %2</translation>
+    </message>
+    <message>
+        <source>Open as document</source>
+        <translation>Abrir como documento</translation>
+    </message>
+    <message>
+        <source>Show in my train</source>
+        <translation>Mostrar en mi tren</translation>
+    </message>
+    <message>
+        <source>Copy number</source>
+        <translation>Copiar el número</translation>
+    </message>
+    <message>
+        <source>Select the links and gear pairs of your train that are this chain</source>
+        <translation>Seleccionar los eslabones y pares de su tren que son esta cadena</translation>
+    </message>
+    <message>
+        <source>Your train is being identified…</source>
+        <translation>Se está identificando su tren…</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs</source>
+        <translation>%1 eslabones, %2 ejes, %3 pares</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
+        <translation>%1 eslabones, %2 ejes, %3 pares; libertad %4 con un eslabón fijo</translation>
+    </message>
+    <message>
+        <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
+        <translation>No puede girar: %1 pares son otras tantas condiciones para las velocidades de %2 eslabones, uno de ellos fijo.</translation>
+    </message>
+    <message>
+        <source>Same equations, other shafts: %1</source>
+        <translation>Mismas ecuaciones, otros árboles: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair less: %1</source>
+        <translation>Un par menos: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair more: %1</source>
+        <translation>Un par más: %1</translation>
+    </message>
+    <message>
+        <source>Digraph of chain %1</source>
+        <translation>Digrafo de la cadena %1</translation>
+    </message>
+    <message>
+        <source>With the numbers and colours of your links</source>
+        <translation>Con los números y colores de sus eslabones</translation>
+    </message>
+    <message>
+        <source>Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</source>
+        <translation>Cantidades con libertad 1 como en Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. Chains: with the axes, too (displacement graphs). Left out are chains in which m gear pairs have fewer than m + 2 links between them, so that these turn as one; the smallest of them are the trains that cannot turn.</source>
+        <translation>Una cadena son eslabones, ejes y pares de engranajes, cada par con el eslabón que lleva las dos ruedas. No importan el eslabón fijo, los dientes, los tipos de ruedas ni las juntas con que se dibujan los eslabones coaxiales. Ecuaciones: solo las ternas rueda, rueda, portasatélites (grafos de rotación), que son las ecuaciones de las velocidades. Cadenas: también con los ejes (grafos de desplazamiento). Quedan fuera las cadenas en que m pares tienen entre sí menos de m + 2 eslabones, de modo que estos giran como uno; las más pequeñas son los trenes que no pueden girar.</translation>
+    </message>
+    <message>
+        <source>Freedom, one link held</source>
+        <translation>Libertad, un eslabón fijo</translation>
+    </message>
+    <message>
+        <source>No link parts the chain in two, and every link is in a gear pair</source>
+        <translation>Ningún eslabón parte la cadena en dos, y cada eslabón está en un par</translation>
+    </message>
+    <message>
+        <source>Chains with the same equations of speeds differ in their shafts only</source>
+        <translation>Las cadenas con las mismas ecuaciones de velocidades solo difieren en los árboles</translation>
+    </message>
+    <message>
+        <source>Trains that cannot turn, and why</source>
+        <translation>Trenes que no pueden girar, y por qué</translation>
+    </message>
+    <message>
+        <source>Number, as 6-1.5</source>
+        <translation>Número, p. ej. 6-1.5</translation>
+    </message>
+    <message>
+        <source>What is counted?</source>
+        <translation>¿Qué se cuenta?</translation>
+    </message>
+    <message>
+        <source>Chains with 1 freedom</source>
+        <translation>Cadenas con libertad 1</translation>
+    </message>
+    <message>
+        <source>nonfractionated (%1)</source>
+        <translation>no fraccionadas (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; %3 equations</source>
+        <translation>%1 de %2 cadenas; %3 ecuaciones</translation>
+    </message>
+    <message>
+        <source>equations of %1 only</source>
+        <translation>solo ecuaciones de %1</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them your train is. Arrow keys walk, Enter opens one as a document, / finds a number.</source>
+        <translation>Todas las cadenas de engranajes hasta 7 eslabones, y cuál es su tren. Las flechas recorren, Intro abre una como documento, / busca un número.</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, filtered and counted, and which your train is.</source>
+        <translation>Cadenas de engranajes, filtradas y contadas, y cuál es su tren.</translation>
+    </message>
+    <message>
+        <source>Atlas of &amp;chains</source>
+        <translation>Atlas de &amp;cadenas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
+        <translation>Todas las cadenas de engranajes hasta 7 eslabones, y cuál es este tren</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Documento nuevo</translation>
     </message>
 </context>
 <context>

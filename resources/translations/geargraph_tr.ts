@@ -16829,6 +16829,188 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Up and Down, Tab</source>
         <translation>Yukarı ve Aşağı, Tab</translation>
+        <source>%1, of your train</source>
+        <translation>%1, sizin dizinizden</translation>
+    </message>
+    <message>
+        <source>%1
+axes: %2
+gear pairs / carrier: %3</source>
+        <translation>%1
+eksenler: %2
+dişli çiftleri / taşıyıcı: %3</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 zincir</translation>
+    </message>
+    <message>
+        <source>one of %1 links that is not in the atlas</source>
+        <translation>atlasta olmayan %1 uzuvlu bir zincir</translation>
+    </message>
+    <message>
+        <source>(cannot turn)</source>
+        <translation>(dönemez)</translation>
+    </message>
+    <message>
+        <source>(turns by these tooth counts only)</source>
+        <translation>(yalnızca bu diş sayılarıyla döner)</translation>
+    </message>
+    <message>
+        <source>in no gear pair: %1</source>
+        <translation>hiçbir dişli çiftinde değil: %1</translation>
+    </message>
+    <message>
+        <source>planets that repeat another: %1</source>
+        <translation>bir başkasını yineleyen planetler: %1</translation>
+    </message>
+    <message>
+        <source>brakes and clutches</source>
+        <translation>frenler ve kavramalar</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Alınmadı: %1</translation>
+    </message>
+    <message>
+        <source>Your train is unfinished: %1</source>
+        <translation>Dişli diziniz tamamlanmamış: %1</translation>
+    </message>
+    <message>
+        <source>Your train has no gear pair yet.</source>
+        <translation>Dizinizde henüz dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>Your train is %1</source>
+        <translation>Dişli diziniz: %1</translation>
+    </message>
+    <message>
+        <source>Your train is %1 chains: %2</source>
+        <translation>Dişli diziniz %1 zincirden oluşur: %2</translation>
+    </message>
+    <message>
+        <source>Open as document</source>
+        <translation>Belge olarak aç</translation>
+    </message>
+    <message>
+        <source>Show in my train</source>
+        <translation>Dizimde göster</translation>
+    </message>
+    <message>
+        <source>Copy number</source>
+        <translation>Numarayı kopyala</translation>
+    </message>
+    <message>
+        <source>Select the links and gear pairs of your train that are this chain</source>
+        <translation>Dizinizin bu zinciri oluşturan uzuvlarını ve dişli çiftlerini seç</translation>
+    </message>
+    <message>
+        <source>Your train is being identified…</source>
+        <translation>Dişli diziniz tanınıyor…</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs</source>
+        <translation>%1 uzuv, %2 eksen, %3 dişli çifti</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
+        <translation>%1 uzuv, %2 eksen, %3 dişli çifti; bir uzuv tutulunca serbestlik derecesi %4</translation>
+    </message>
+    <message>
+        <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
+        <translation>Dönemez: %1 dişli çifti, biri tutulan %2 uzvun hızları için o kadar koşuldur.</translation>
+    </message>
+    <message>
+        <source>Same equations, other shafts: %1</source>
+        <translation>Aynı denklemler, başka miller: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair less: %1</source>
+        <translation>Bir dişli çifti eksik: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair more: %1</source>
+        <translation>Bir dişli çifti fazla: %1</translation>
+    </message>
+    <message>
+        <source>Digraph of chain %1</source>
+        <translation>%1 zincirinin yönlü çizgesi</translation>
+    </message>
+    <message>
+        <source>With the numbers and colours of your links</source>
+        <translation>Uzuvlarınızın numaraları ve renkleriyle</translation>
+    </message>
+    <message>
+        <source>Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</source>
+        <translation>Serbestlik derecesi 1 için sayılar: Yang, Ding ve ark., J. Mech. Des. 141(4), 2019, 043301</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. Chains: with the axes, too (displacement graphs). Left out are chains in which m gear pairs have fewer than m + 2 links between them, so that these turn as one; the smallest of them are the trains that cannot turn.</source>
+        <translation>Zincir; uzuvlar, eksenler ve dişli çiftleridir, her çift iki dişliyi taşıyan uzuvla birlikte. Hangi uzvun tutulduğu, dişler, dişli türleri ve eş eksenli uzuvların hangi mafsallarla çizildiği önemli değildir. Denklemler: yalnızca dişli, dişli, taşıyıcı üçlüleri (dönme çizgeleri), yani hızların denklemleri. Zincirler: eksenlerle birlikte (yer değiştirme çizgeleri). m dişli çiftinin aralarında m + 2&apos;den az uzuv olan ve bu yüzden tek parça gibi dönen zincirler alınmamıştır; bunların en küçükleri dönemeyen dizilerdir.</translation>
+    </message>
+    <message>
+        <source>Freedom, one link held</source>
+        <translation>Serbestlik, bir uzuv tutulu</translation>
+    </message>
+    <message>
+        <source>No link parts the chain in two, and every link is in a gear pair</source>
+        <translation>Hiçbir uzuv zinciri ikiye bölmez ve her uzuv bir dişli çiftindedir</translation>
+    </message>
+    <message>
+        <source>Chains with the same equations of speeds differ in their shafts only</source>
+        <translation>Hız denklemleri aynı olan zincirler yalnızca millerinde ayrılır</translation>
+    </message>
+    <message>
+        <source>Trains that cannot turn, and why</source>
+        <translation>Dönemeyen diziler ve nedeni</translation>
+    </message>
+    <message>
+        <source>Number, as 6-1.5</source>
+        <translation>Numara, örn. 6-1.5</translation>
+    </message>
+    <message>
+        <source>What is counted?</source>
+        <translation>Ne sayılıyor?</translation>
+    </message>
+    <message>
+        <source>Chains with 1 freedom</source>
+        <translation>Serbestlik derecesi 1 olan zincirler</translation>
+    </message>
+    <message>
+        <source>nonfractionated (%1)</source>
+        <translation>bölünemeyen (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; %3 equations</source>
+        <translation>%2 zincirden %1; %3 denklem</translation>
+    </message>
+    <message>
+        <source>equations of %1 only</source>
+        <translation>yalnızca %1 denklemleri</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them your train is. Arrow keys walk, Enter opens one as a document, / finds a number.</source>
+        <translation>7 uzva kadar tüm dişli kinematik zincirler ve dizinizin hangisi olduğu. Ok tuşları gezdirir, Enter belge olarak açar, / numara bulur.</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, filtered and counted, and which your train is.</source>
+        <translation>Süzülmüş ve sayılmış dişli kinematik zincirler ve dizinizin hangisi olduğu.</translation>
+    </message>
+    <message>
+        <source>Atlas of &amp;chains</source>
+        <translation>&amp;Zincir atlası</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
+        <translation>7 uzva kadar tüm dişli kinematik zincirler ve bu dizinin hangisi olduğu</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Yeni belge</translation>
     </message>
 </context>
 <context>

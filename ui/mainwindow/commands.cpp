@@ -326,6 +326,11 @@ std::vector<Command> commandsOfMechanism() {
                         ? QString()
                         : words("The teeth hold the answer: they open when the step is right or shown.");
            }},
+      {.id = CommandId::atlas,
+       .name = "mechanism.atlas",
+       .text = words("Atlas of &chains"),
+       .tip = words("All geared kinematic chains up to 7 links, and which of them this train is"),
+       .searchWords = "identify isomorphism chain number enumerate gallery cannot turn degenerate"},
       {.id = CommandId::tidy,
        .name = "mechanism.tidy",
        .text = words("&Tidy the drawing"),

@@ -46,6 +46,7 @@ enum class CommandId {
   releaseAll,
   insertSet,
   findTeeth,
+  atlas,
   tidy,
   fit,
   zoomIn,

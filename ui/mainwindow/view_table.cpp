@@ -1,5 +1,6 @@
 #include "ui/mainwindow/view_table.h"
 
+#include "ui/atlas/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
@@ -20,9 +21,9 @@ namespace geargraph::inline mainwindow {
 
 std::vector<ViewEntry> viewTable() {
   return {
-      digraphView(),  ttGraphView(),    schematicView(), leversView(),   matricesView(),
-      problemsView(), view3dView(),     inputsView(),    gearboxView(),  propertiesView(),
-      speedsView(),   derivationView(), forcesView(),    dynamicsView(), teethView(),
+      digraphView(), ttGraphView(),  schematicView(), leversView(),     matricesView(), problemsView(),
+      view3dView(),  inputsView(),   gearboxView(),   propertiesView(), speedsView(),   derivationView(),
+      forcesView(),  dynamicsView(), teethView(),     atlasView(),
   };
 }
 

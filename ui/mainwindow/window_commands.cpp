@@ -12,6 +12,7 @@
 
 #include "core/mechanism/model/edits.h"
 #include "core/presentation/report/report.h"
+#include "ui/atlas/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/languages/languages.h"
@@ -108,7 +109,7 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
   mechanism->addSeparator();
-  mechanism->addActions(a.of({insertSet, findTeeth}));
+  mechanism->addActions(a.of({insertSet, findTeeth, atlas}));
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
   for (QAction* count : a.planets) planets->addAction(count);
   mechanism->addSeparator();
@@ -156,11 +157,14 @@ void MainWindow::wireActions() {
   connect(a[paste], &QAction::triggered, m_commands, &EditCommands::paste);
   connect(a[duplicate], &QAction::triggered, m_commands, &EditCommands::duplicate);
   connect(a[remove], &QAction::triggered, this, [this] { drawing().deleteSelected(); });
-  connect(a[rename], &QAction::triggered, this, [this] { drawing().renameSelected(); });
+  connect(a[rename], &QAction::triggered, this, [this] {
+    showDrawing(drawing().objectName());
+    drawing().renameSelected();
+  });
   connect(a[selectAll], &QAction::triggered, this, [this] { drawing().selectAll(); });
   connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
     const auto kind = static_cast<ToolKind>(tool->data().toInt());
-    if (kind == ToolKind::note) showDrawing(digraph().objectName());
+    showDrawing(kind == ToolKind::note ? digraph().objectName() : drawing().objectName());
     drawing().setTool(kind);
     drawing().setFocus();
     if (kind == ToolKind::load) drawing().editLoad();
@@ -178,6 +182,7 @@ void MainWindow::wireActions() {
     m_docks->reveal(panel);
     panel.askForRatio();
   });
+  connect(a[atlas], &QAction::triggered, this, &MainWindow::showAtlas);
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
     connect(a.planets[i], &QAction::triggered, m_commands,
             [this, total = static_cast<int>(i) + 2] { m_commands->makePlanets(total); });
@@ -345,11 +350,17 @@ void MainWindow::showInsertSet() {
   m_insertSet->activateWindow();
 }
 
+void MainWindow::showAtlas() {
+  m_start->dismiss(&drawing());
+  ResultsView& atlas = m_views->get<AtlasPanel>();
+  showDrawing(atlas.widget().objectName());
+  atlas.widget().setFocus();
+}
+
 void MainWindow::askForPicture() {
   std::vector<std::pair<QString, QString>> views;
-  for (int i = 0; i < m_drawings->count(); ++i) {
-    views.emplace_back(m_drawings->widget(i)->objectName(), m_drawings->tabText(i));
-  }
+  for (DrawingView* each : m_allDrawings)
+    views.emplace_back(each->objectName(), m_drawings->tabText(m_drawings->indexOf(each)));
   views.emplace_back(QStringLiteral("3d"), tr("3D"));
   auto* dialog = new PictureDialog(views, isView3DInFocus() ? QStringLiteral("3d") : drawing().objectName(),
                                    drawing().theme() == Theme::dark, this);
@@ -375,12 +386,13 @@ void MainWindow::showPrintDialog() {
 /// long as one may wait for.
 void MainWindow::drawForPrint(PrintSource source, const MechanismPtr& mechanism, int next) {
   if (m_document->mechanism() != mechanism) return showPrintDialog();  // edited meanwhile
-  if (next == m_drawings->count()) return openPrintDialog(std::move(source));
-  DrawingView* each = m_allDrawings[static_cast<std::size_t>(next)];
+  const auto index = static_cast<std::size_t>(next);
+  if (index == m_allDrawings.size()) return openPrintDialog(std::move(source));
+  DrawingView* each = m_allDrawings[index];
   std::function<DisplayList()> draw = each->pictureMaker();
   if (each->whyNoPicture().isEmpty()) {
     if (each == &drawing()) source.inFront = source.drawings.size();
-    source.drawings.push_back({m_drawings->tabText(next), std::move(draw)});
+    source.drawings.push_back({m_drawings->tabText(m_drawings->indexOf(each)), std::move(draw)});
   }
   QTimer::singleShot(0, this, [this, source = std::move(source), mechanism, next]() mutable {
     drawForPrint(std::move(source), mechanism, next + 1);
