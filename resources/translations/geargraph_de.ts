@@ -17013,6 +17013,14 @@ Radpaare / Steg: %3</translation>
         <source>New document</source>
         <translation>Neues Dokument</translation>
     </message>
+    <message>
+        <source>Chains</source>
+        <translation>Ketten</translation>
+    </message>
+    <message>
+        <source>Number of a chain</source>
+        <translation>Nummer einer Kette</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -17013,6 +17013,14 @@ pares / portasatélites: %3</translation>
         <source>New document</source>
         <translation>Documento nuevo</translation>
     </message>
+    <message>
+        <source>Chains</source>
+        <translation>Cadenas</translation>
+    </message>
+    <message>
+        <source>Number of a chain</source>
+        <translation>Número de una cadena</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -17012,6 +17012,14 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>New document</source>
         <translation>Yeni belge</translation>
     </message>
+    <message>
+        <source>Chains</source>
+        <translation>Zincirler</translation>
+    </message>
+    <message>
+        <source>Number of a chain</source>
+        <translation>Bir zincirin numarası</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

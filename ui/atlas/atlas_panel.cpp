@@ -132,6 +132,7 @@ QWidget* AtlasPanel::makeMiddle() {
   m_find = new QLineEdit(middle);
   m_find->setObjectName(QStringLiteral("findChain"));
   m_find->setPlaceholderText(tr("Number, as 6-1.5"));
+  m_find->setAccessibleName(tr("Number of a chain"));
   m_find->setClearButtonEnabled(true);
   m_find->setMaximumWidth(scaledPixels(150));
   auto* source = new QLabel(countsSource(), middle);

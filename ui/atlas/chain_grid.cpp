@@ -149,6 +149,7 @@ QVariant ChainListModel::data(const QModelIndex& index, int role) const {
 
 ChainGrid::ChainGrid(ChainListModel* model, QWidget* parent) : QListView(parent), m_chains(model) {
   setObjectName(QStringLiteral("chains"));
+  setAccessibleName(tr("Chains"));
   setModel(model);
   setItemDelegate(new ChainCell(model, this));
   setViewMode(QListView::IconMode);
