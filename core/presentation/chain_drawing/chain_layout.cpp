@@ -1,4 +1,5 @@
 #include "core/presentation/chain_drawing/chain_layout.h"
+#include "core/presentation/drawing/planar.h"
 
 #include <algorithm>
 #include <bit>
@@ -73,12 +74,6 @@ double areaOf(SheetPoint a, SheetPoint b, SheetPoint c) {
 
 bool doCross(SheetPoint a, SheetPoint b, SheetPoint c, SheetPoint d) {
   return areaOf(a, b, c) * areaOf(a, b, d) < 0 && areaOf(c, d, a) * areaOf(c, d, b) < 0;
-}
-
-double distanceToSegment(SheetPoint p, SheetPoint a, SheetPoint b) {
-  const double x = b.x - a.x, y = b.y - a.y;
-  const double along = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
-  return std::hypot(p.x - a.x - along * x, p.y - a.y - along * y);
 }
 
 /// What is known of each line between two places of a pattern, whatever links are put there.
