@@ -54,7 +54,7 @@ void ChoicesModel::makePairs() {
   m_marks.clear();
   m_names.clear();
   for (const WheelName& name : wheelNames(problem())) {
-    m_marks << name.text;
+    m_marks << name.mark;
     m_names << name.tip;
   }
   std::set<std::pair<int, int>> known;

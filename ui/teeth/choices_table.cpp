@@ -14,12 +14,12 @@ namespace {
 
 using Kind = ChoicesModel::Kind;
 
-constexpr int kCellMargin = 8;
+constexpr int kCellMargin = 6;
 constexpr int kScaleWidth = 70;  // of errors
 constexpr int kShareWidth = 52;  // of efficiencies
 constexpr int kTickWidth = 18;
 constexpr int kMarkWidth = 10;  // of undercut
-constexpr int kSortRoom = 14;
+constexpr int kSortRoom = 10;
 constexpr int kRowsMeasured = 100;
 
 /// A line with its ends and its middle, and a dot where the ratio is.

@@ -108,17 +108,17 @@ RatioRow::RatioRow(int number, QWidget* parent)
   grid->addWidget(m_drive, 0, 0);
   grid->addWidget(new QLabel(tr("over"), this), 0, 1);
   grid->addWidget(m_driven, 0, 2);
-  grid->addWidget(m_condition, 1, 0);
-  grid->addWidget(m_held, 1, 2);
-  grid->addWidget(m_ratio, 2, 0);
-  grid->addWidget(new QLabel(QStringLiteral("±"), this), 2, 1, Qt::AlignCenter);
-  grid->addWidget(m_tolerance, 2, 2);
+  grid->addWidget(m_condition, 1, 0, 1, 3);
+  grid->addWidget(m_held, 2, 0, 1, 3);
+  grid->addWidget(m_ratio, 3, 0);
+  grid->addWidget(new QLabel(QStringLiteral("±"), this), 3, 1, Qt::AlignCenter);
+  grid->addWidget(m_tolerance, 3, 2);
   auto* end = new QHBoxLayout;
   end->setContentsMargins(0, 0, 0, 0);
   end->addWidget(m_now, 1);
   end->addWidget(m_remove);
-  grid->addLayout(end, 3, 0, 1, 3);
-  grid->addWidget(m_problem, 4, 0, 1, 3);
+  grid->addLayout(end, 4, 0, 1, 3);
+  grid->addWidget(m_problem, 5, 0, 1, 3);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(2, 1);
 

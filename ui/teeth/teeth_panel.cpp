@@ -132,8 +132,6 @@ QWidget* TeethPanel::makeSearchBar() {
   m_progress->setAccessibleName(tr("How much of the search is done"));
   m_stop = controlButton(QStringLiteral("stopTeeth"), tr("Stop"), {}, bar);
   connect(m_stop, &QToolButton::clicked, this, &TeethPanel::stopOrGoOn);
-  m_undercut = new QLabel(tr("u: undercut; a profile shift mends it"), bar);
-  m_undercut->setProperty("look", "hint");
   auto* layout = new QHBoxLayout(bar);
   layout->setContentsMargins(8, 6, 10, 0);
   layout->setSpacing(8);
@@ -141,7 +139,6 @@ QWidget* TeethPanel::makeSearchBar() {
   layout->addWidget(m_progress);
   layout->addWidget(m_stop);
   layout->addStretch(1);
-  layout->addWidget(m_undercut);
   return bar;
 }
 
@@ -230,8 +227,7 @@ void TeethPanel::onDocument() {
 
 void TeethPanel::onReplaced() {
   m_pause.stop();
-  m_form->reset();
-  m_form->setMechanism(m_document->mechanism());
+  m_form->reset(m_document->mechanism());
   m_service->forget();
   if (m_isAwake) searchSoon();
 }
@@ -304,10 +300,6 @@ void TeethPanel::showResult() {
     m_hint->setText(tr("Type the ratio that you want: every choice of whole teeth is tried."));
   }
   m_funnel->setVisible(!m_funnel->text().isEmpty());
-  const bool hasUndercut = result && result->answer &&
-                           std::any_of(result->answer->choices.begin(), result->answer->choices.end(),
-                                       [](const TeethChoice& choice) { return !choice.undercut.empty(); });
-  m_undercut->setVisible(hasUndercut);
   m_pages->setCurrentIndex(m_model->rowCount() > 0 ? 1 : 0);
   renewButtons();
   if (isSettled()) emit settled();
@@ -338,6 +330,9 @@ void TeethPanel::showFound(const TeethAnswer& answer) {
                          errorText(answer.nearest->found.errors[ratio]));
     line += QLatin1Char('\n') + tr("None. Nearest: %1").arg(misses.join(QStringLiteral("; ")));
   }
+  if (std::any_of(answer.choices.begin(), answer.choices.end(),
+                  [](const TeethChoice& choice) { return !choice.undercut.empty(); }))
+    line += QStringLiteral(" · ") + tr("u: undercut; a profile shift mends it");
   m_funnel->setText(line);
   if (answer.choices.empty() && !answer.nearest)
     m_hint->setText(

@@ -84,7 +84,6 @@ class TeethPanel : public QWidget, public ResultsView {
   WishForm* m_form;
   QLabel* m_badge = nullptr;
   QLabel* m_funnel = nullptr;
-  QLabel* m_undercut = nullptr;
   QProgressBar* m_progress = nullptr;
   QToolButton* m_stop = nullptr;
   QToolButton* m_certificate = nullptr;

@@ -221,12 +221,13 @@ void WishForm::askForRatio() {
   m_ratios.front()->askForRatio();
 }
 
-void WishForm::reset() {
+void WishForm::reset(const MechanismPtr& mechanism) {
   for (RatioRow* row : std::exchange(m_ratios, {})) {
     row->hide();
     row->deleteLater();
   }
   m_made = 0;
+  m_mechanism = mechanism;
   m_wheels->reset();
   toDefaults();
   addRatio();

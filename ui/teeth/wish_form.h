@@ -37,7 +37,7 @@ class WishForm : public QWidget {
   /// The keyboard to the first ratio.
   void askForRatio();
   /// Forgets the wish, for another document.
-  void reset();
+  void reset(const MechanismPtr& mechanism);
   /// The wish as JSON; a ratio without a number is 1 in it.
   [[nodiscard]] std::string wish() const;
   /// Has every ratio a number?

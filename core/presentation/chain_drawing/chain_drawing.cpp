@@ -76,7 +76,10 @@ class ChainMarks {
     add(id, MarkRole::node, kNodeDepth, Stroke{disc, Tint::ofLink(label, color), kDiscRing, Dash::solid});
     add(id, MarkRole::label, kNodeDepth,
         Text{std::to_string(label), at(link), label < 100 ? kDiscText : kDiscText - 4, true, ColorRole::ink});
-    m_list.outlines.push_back({id, kNodeDepth, disc, 0});
+    Outline& outline = m_list.outlines.emplace_back();
+    outline.element = id;
+    outline.z = kNodeDepth;
+    outline.shape = disc;
   }
 
   const Chain& m_chain;

@@ -293,6 +293,18 @@ class TeethPanelTest : public QObject {
     settle();
   }
 
+  /// The wish begins anew, with the state of the other document.
+  void anotherDocumentForgetsTheWish() {
+    m_document->replace(test::example("robot"), {});
+    settle();
+    QCOMPARE(part<QComboBox>("condition.0").count(), 2);
+    m_document->replace(twoRingReducer(), {});
+    QTRY_COMPARE(m_panel->findChildren<QComboBox*>("condition.0").size(), 1);
+    settle();
+    QCOMPARE(part<QComboBox>("condition.0").currentText(), QStringLiteral("in state 1"));
+    QCOMPARE(part<QLabel>("now.0").text(), QStringLiteral("now 50"));
+  }
+
   void nothingIsSearchedOutOfSight() {
     m_panel->setAwake(false);
     m_document->replace(test::example("robot"), {});
