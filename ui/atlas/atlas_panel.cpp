@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -49,7 +50,11 @@ AtlasPanel::AtlasPanel(Document* document, Selection* selection, QWidget* parent
       m_card(new ChainCard(this)) {
   auto* columns = new QSplitter(this);
   columns->setChildrenCollapsible(false);
-  columns->addWidget(scrolled(makeFilters(), columns));
+  QScrollArea* filters = scrolled(makeFilters(), columns);
+  // Nothing of them is cut off: they scroll up and down only.
+  filters->setMinimumWidth(filters->widget()->minimumSizeHint().width() +
+                           style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+  columns->addWidget(filters);
   columns->addWidget(makeMiddle());
   columns->addWidget(scrolled(m_card, columns));
   columns->setStretchFactor(1, 1);

@@ -30,9 +30,10 @@ FilterChips::Chip& FilterChips::chipOf(int choice) {
   chip.count = new QLabel(this);
   chip.count->setProperty("look", "hint");
   chip.count->setAlignment(Qt::AlignCenter);
-  const int column = static_cast<int>(m_chips.size()) - 1;
-  m_layout->addWidget(chip.button, 1, column);
-  m_layout->addWidget(chip.count, 2, column);
+  constexpr int kInRow = 4;
+  const int place = static_cast<int>(m_chips.size()) - 1;
+  m_layout->addWidget(chip.button, 1 + 2 * (place / kInRow), place % kInRow);
+  m_layout->addWidget(chip.count, 2 + 2 * (place / kInRow), place % kInRow);
   connect(chip.button, &QToolButton::clicked, this, [this, choice](bool isOn) {
     setChoice(isOn ? std::optional(choice) : std::nullopt);
     emit changed();
