@@ -16,12 +16,12 @@ using namespace geargraph::test;
 namespace {
 
 /// The view with a document and its analysis, and a hand on it.
-struct Driver {
+struct LeversDriver {
   Document document;
   Selection selection;
   LeversView view{&document, &selection};
 
-  explicit Driver(const Mechanism& mechanism) {
+  explicit LeversDriver(const Mechanism& mechanism) {
     QObject::connect(&document, &Document::changed, &view, [this] { analyze(); });
     view.resize(1100, 700);
     view.show();
@@ -101,7 +101,7 @@ class TestLeversView : public QObject {
   void initTestCase() { installDrawingAccessibility(); }
 
   void leversOfTheEngagedStateAreDrawnAndFit() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     QVERIFY(driver.view.emptyText().isEmpty());
     QCOMPARE(driver.view.spots().size(), std::size_t(12));  // three on each bar
     QVERIFY(driver.says("set 1") && driver.says("0.719"));
@@ -111,7 +111,7 @@ class TestLeversView : public QObject {
   }
 
   void speedsAndTorquesCanBeLeftOut() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     auto* speeds = driver.view.findChild<QCheckBox*>("leverSpeeds");
     auto* torques = driver.view.findChild<QCheckBox*>("leverTorques");
     QVERIFY(driver.says("0.719") && driver.says("−0.427"));
@@ -125,7 +125,7 @@ class TestLeversView : public QObject {
   }
 
   void clickAndHoverAreThoseOfAllViews() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     const LeverSpot four = driver.spot(0, 4);
     driver.move(driver.onScreen(four.center), Qt::NoButton);
     QCOMPARE(driver.selection.hovered(), driver.link(4));
@@ -138,7 +138,7 @@ class TestLeversView : public QObject {
   }
 
   void theCardTellsPlaceSpeedTorqueAndWhatIf() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     const QString held = driver.view.cardOf(driver.spot(0, 3));
     QVERIFY2(held.contains("held by brake B"), qPrintable(held));
     QVERIFY2(held.contains("4 divides"), qPrintable(held));
@@ -153,7 +153,7 @@ class TestLeversView : public QObject {
 
   // The tip of 4 follows the mouse, so the input turns as many times quicker as the tip is farther out.
   void draggingATipTurnsTheTrainInOneStep() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     const int before = driver.steps();
     const LeverSpot four = driver.spot(0, 4);
     const QPoint from = driver.onScreen(four.tip);
@@ -177,7 +177,7 @@ class TestLeversView : public QObject {
   }
 
   void escapePutsTheSpeedBack() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     const QPoint from = driver.onScreen(driver.spot(0, 4).tip);
     driver.press(from);
     driver.move(from + QPoint(30, 0));
@@ -190,7 +190,7 @@ class TestLeversView : public QObject {
 
   // 4 turns at 1057/1471 of the input: to turn at 1057 the input has to at 1471.
   void aTypedSpeedIsExact() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.click(driver.onScreen(driver.spot(0, 4).center));
     driver.key(Qt::Key_Return);
     auto* field = driver.view.viewport()->findChild<QLineEdit*>();
@@ -211,7 +211,7 @@ class TestLeversView : public QObject {
   }
 
   void brakesAreLetGoAndHeldAndDiscsTied() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.click(driver.onScreen(driver.spot(0, 3).center));
     QVERIFY(driver.isEngaged("B"));
     driver.view.toggleBrake();
@@ -234,7 +234,7 @@ class TestLeversView : public QObject {
   }
 
   void keysWalkAlongABarAndToTheNext() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.view.setFocus();
     driver.key(Qt::Key_Down);
     const int first = driver.view.spots().front().bar;
@@ -267,7 +267,7 @@ class TestLeversView : public QObject {
   }
 
   void readersAreToldThePoints() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     const QString four = driver.view.describe(*driver.link(4).begin());
     QVERIFY2(four.contains("of the way from"), qPrintable(four));
     QVERIFY2(four.contains("0.719 rad/s"), qPrintable(four));
@@ -280,7 +280,7 @@ class TestLeversView : public QObject {
   }
 
   void aClickInTheNomogramEngagesTheState() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.choose(LeversPage::nomogram);
     QVERIFY(driver.view.emptyText().isEmpty());
     QVERIFY(driver.view.nomogram().lines.size() >= 9);
@@ -309,29 +309,29 @@ class TestLeversView : public QObject {
   }
 
   void planOfTwoFreedoms() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.choose(LeversPage::plan);
     QVERIFY(driver.view.emptyText().isEmpty());
     QVERIFY(driver.view.spots().empty() && !driver.view.displayList().marks.empty());
-    Driver robot(example("spur-pair"));
+    LeversDriver robot(example("spur-pair"));
     robot.choose(LeversPage::plan);
     QVERIFY2(robot.view.emptyText().contains("two freedoms"), qPrintable(robot.view.emptyText()));
   }
 
   void whereThereIsNoLeverItSaysWhy() {
-    Driver driver(example("robot"));
+    LeversDriver driver(example("robot"));
     QVERIFY2(driver.view.emptyText().contains("Bevel pinions have no place on a lever"),
              qPrintable(driver.view.emptyText()));
     QCOMPARE(driver.view.whyNoPicture(), driver.view.emptyText());
     QVERIFY(driver.view.displayList().marks.empty() && driver.view.spots().empty());
-    Driver drawn(example("planetary-ring-held"));
+    LeversDriver drawn(example("planetary-ring-held"));
     QVERIFY(drawn.view.whyNoPicture().isEmpty() && !drawn.view.picture().marks.empty());
     driver.choose(LeversPage::nomogram);
     QVERIFY(!driver.view.emptyText().isEmpty());
   }
 
   void lessonsCloseTheAnswer() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.view.setAnswersOpen(false);
     QVERIFY(driver.view.displayList().marks.empty() && driver.view.emptyText().contains("answer"));
     driver.view.setAnswersOpen(true);
@@ -339,7 +339,7 @@ class TestLeversView : public QObject {
   }
 
   void ahiddenViewDrawsWhenItIsShown() {
-    Driver driver(engaged("eight-speed-gearbox", 4));
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
     driver.view.hide();
     QVERIFY(driver.document.apply(
         {"Engage", [](const Mechanism& before) { return withStateEngaged(before, 0); }, 0}));
