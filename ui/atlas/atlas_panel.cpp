@@ -6,8 +6,8 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -50,11 +50,8 @@ AtlasPanel::AtlasPanel(Document* document, Selection* selection, QWidget* parent
       m_card(new ChainCard(this)) {
   auto* columns = new QSplitter(this);
   columns->setChildrenCollapsible(false);
-  QScrollArea* filters = scrolled(makeFilters(), columns);
-  // Nothing of them is cut off: they scroll up and down only.
-  filters->setMinimumWidth(filters->widget()->minimumSizeHint().width() +
-                           style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-  columns->addWidget(filters);
+  m_filterColumn = scrolled(makeFilters(), columns);
+  columns->addWidget(m_filterColumn);
   columns->addWidget(makeMiddle());
   columns->addWidget(scrolled(m_card, columns));
   columns->setStretchFactor(1, 1);
@@ -134,12 +131,13 @@ QWidget* AtlasPanel::makeMiddle() {
   m_count = new QLabel(middle);
   m_count->setObjectName(QStringLiteral("count"));
   m_count->setProperty("look", "title");
+  m_count->setWordWrap(true);
   m_find = new QLineEdit(middle);
   m_find->setObjectName(QStringLiteral("findChain"));
   m_find->setPlaceholderText(tr("Number, as 6-1.5"));
   m_find->setAccessibleName(tr("Number of a chain"));
   m_find->setClearButtonEnabled(true);
-  m_find->setMaximumWidth(scaledPixels(150));
+  m_find->setFixedWidth(scaledPixels(150));
   auto* source = new QLabel(countsSource(), middle);
   source->setObjectName(QStringLiteral("source"));
   source->setProperty("look", "hint");
@@ -221,6 +219,9 @@ void AtlasPanel::takeCatalogue(const std::shared_ptr<const ChainCatalogue>& cata
   m_filterLayout->insertWidget(end + 1, countsTable(*catalogue, this));
   m_filter = {.links = kUsualLinks, .dof = 1};
   renew();
+  // A row of choices is never cut off.
+  m_filterColumn->setMinimumWidth(m_filterColumn->widget()->minimumSizeHint().width() +
+                                  m_filterColumn->verticalScrollBar()->sizeHint().width());
 }
 
 /// Shows the chain of the train, the first that is in the atlas, unless the user has chosen one.

@@ -11,6 +11,7 @@
 class QCheckBox;
 class QLabel;
 class QLineEdit;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace geargraph::inline ui_atlas {
@@ -83,6 +84,7 @@ class AtlasPanel final : public QWidget, public ResultsView {
   FilterChips* m_axes = nullptr;
   QCheckBox* m_whole = nullptr;
   QCheckBox* m_sameEquations = nullptr;
+  QScrollArea* m_filterColumn = nullptr;
   QVBoxLayout* m_filterLayout = nullptr;
   QLabel* m_count = nullptr;
   QLabel* m_definition = nullptr;
