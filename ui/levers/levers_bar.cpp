@@ -27,6 +27,7 @@ LeversBar::LeversBar(QWidget* parent)
     button->setText(text);
     button->setToolTip(tip);
     button->setCheckable(true);
+    button->setProperty("look", "chip");
     button->setChecked(page == LeversPage::levers);
     button->setFocusPolicy(Qt::TabFocus);
     row->addWidget(button);
@@ -38,6 +39,7 @@ LeversBar::LeversBar(QWidget* parent)
       tr("The states of the gearbox as lines across the speeds of its links"));
   add(LeversPage::plan, "planPage", tr("Plan"),
       tr("The plane of the links that is left when the coupling engaged last is let go"));
+  row->addStretch();
   auto* boxes = new QHBoxLayout(m_arrows);
   boxes->setContentsMargins(0, 0, 0, 0);
   boxes->setSpacing(14);
