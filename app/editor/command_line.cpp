@@ -42,7 +42,7 @@ CommandLine readCommandLine(const QStringList& arguments) {
                                 QStringLiteral("WxH"));
   const QCommandLineOption drawing(
       QStringLiteral("drawing"),
-      QStringLiteral("Of a screenshot: the drawing in front, digraph, ttgraph or schematic."),
+      QStringLiteral("Of a screenshot: the drawing in front, digraph, ttgraph, schematic or levers."),
       QStringLiteral("name"));
   const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Light on dark."));
   const QCommandLineOption light(QStringLiteral("light"), QStringLiteral("Dark on light."));

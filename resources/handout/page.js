@@ -236,6 +236,19 @@ for (const node of document.querySelectorAll('#matrices > *')) {
 }
 chooser('matrices', say('matrix'), matrixPieces, 'C');
 
+// What the exercises ask for stands on the same page: it is covered until somebody wants it.
+for (const id of byId('exercises') ? ['matrices', 'derivation', 'solution'] : []) {
+  const section = byId(id);
+  const reveal = make('button', {type: 'button', class: 'reveal'}, say('reveal'));
+  reveal.addEventListener('click', () => {
+    section.classList.remove('covered');
+    reveal.remove();
+    reachWide();
+  });
+  section.classList.add('covered');
+  ['#inputs', '.headline', 'h2'].map(place => section.querySelector(place)).find(place => place).after(reveal);
+}
+
 const tabs = [...document.querySelectorAll('nav a')];
 const narrow = window.matchMedia('(max-width: 900px)');
 const setCurrent = current => {

@@ -16172,10 +16172,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Sonne auf Planet, Hohlrad jedes Satzes</translation>
     </message>
     <message>
-        <source>planets</source>
-        <translation>Planeten</translation>
-    </message>
-    <message>
         <source>ratios</source>
         <translation>Übersetzungen</translation>
     </message>
@@ -16498,6 +16494,108 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>one let go, one taken per shift</source>
         <translation>je Schaltung eines gelöst, eines geschlossen</translation>
+        <source>Show what the exercises ask for</source>
+        <translation>Zeigen, wonach die Aufgaben fragen</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: pinned, it keeps its teeth</source>
+        <translation>%1: fixiert, es behält seine Zähne</translation>
+    </message>
+    <message>
+        <source>%1. Ticked: its teeth may change</source>
+        <translation>%1. Angehakt: seine Zähne dürfen sich ändern</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fixiert</translation>
+    </message>
+    <message>
+        <source>Its teeth follow from the others: one distance between two axes</source>
+        <translation>Seine Zähne folgen aus den anderen: ein Abstand zwischen zwei Achsen</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which the train has the ratios that you want, all of them.</source>
+        <translation>Ganze Zähnezahlen, mit denen das Getriebe die gewünschten Übersetzungen hat, und zwar alle.</translation>
+    </message>
+    <message>
+        <source>The link that drives</source>
+        <translation>Das Glied, das antreibt</translation>
+    </message>
+    <message>
+        <source>The link that is driven</source>
+        <translation>Das Glied, das angetrieben wird</translation>
+    </message>
+    <message>
+        <source>In which state the ratio is wanted, or which links are held</source>
+        <translation>In welchem Schaltzustand die Übersetzung gewünscht ist, oder welche Glieder festgehalten werden</translation>
+    </message>
+    <message>
+        <source>The numbers of the links that are held, such as 2 4</source>
+        <translation>Die Nummern der Glieder, die festgehalten werden, etwa 2 4</translation>
+    </message>
+    <message>
+        <source>Speed of the drive over that of the driven link: 64, 9/2 or 0.632</source>
+        <translation>Geschwindigkeit des antreibenden durch die des angetriebenen Glieds: 64, 9/2 oder 0,632</translation>
+    </message>
+    <message>
+        <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
+        <translation>Wie weit die Übersetzung verfehlt werden darf: um 0,5 % oder um eine Zahl wie 0,01. Leer: eine Dezimalzahl gilt als gerundet, jede andere Übersetzung ist genau gewünscht</translation>
+    </message>
+    <message>
+        <source>Remove this ratio</source>
+        <translation>Diese Übersetzung entfernen</translation>
+    </message>
+    <message>
+        <source>such as 2 4</source>
+        <translation>etwa 2 4</translation>
+    </message>
+    <message>
+        <source>in state %1</source>
+        <translation>im Schaltzustand %1</translation>
+    </message>
+    <message>
+        <source>as engaged now</source>
+        <translation>wie jetzt geschlossen</translation>
+    </message>
+    <message>
+        <source>with links held:</source>
+        <translation>mit festen Gliedern:</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>%1, meshes with %2</source>
+        <translation>%1, kämmt mit %2</translation>
+    </message>
+    <message>
+        <source>+ Ratio</source>
+        <translation>+ Übersetzung</translation>
+    </message>
+    <message>
+        <source>Another ratio of the same train: all of them have to be met</source>
+        <translation>Noch eine Übersetzung desselben Getriebes: alle müssen erfüllt sein</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>Räder</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>The limits as they are at first</source>
+        <translation>Die Grenzen wie am Anfang</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -16550,6 +16648,702 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
         <translation>Das Getriebe ist ein eigenes Dokument mit einem Zustand je Gang. Speichern bewahrt es auf.</translation>
+        <source>Fewest teeth of a wheel</source>
+        <translation>Wenigste Zähne eines Rads</translation>
+    </message>
+    <message>
+        <source>Most teeth of a gear</source>
+        <translation>Meiste Zähne eines außenverzahnten Rads</translation>
+    </message>
+    <message>
+        <source>Most teeth of a ring gear</source>
+        <translation>Meiste Zähne eines Hohlrads</translation>
+    </message>
+    <message>
+        <source>Equal planets at equal distances that have to go in and to clear each other</source>
+        <translation>Gleiche Planeten in gleichen Abständen, die sich einbauen lassen und einander nicht berühren</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Whole teeth by which the sums of two pairs between the same axes may differ; a profile shift makes up for it</source>
+        <translation>Ganze Zähne, um die sich die Summen zweier Paare zwischen denselben Achsen unterscheiden dürfen; eine Profilverschiebung gleicht es aus</translation>
+    </message>
+    <message>
+        <source>one for all</source>
+        <translation>einer für alle</translation>
+    </message>
+    <message>
+        <source>free for each pair</source>
+        <translation>frei für jedes Paar</translation>
+    </message>
+    <message>
+        <source>With one module, pairs between the same two axes have one sum of teeth</source>
+        <translation>Mit einem Modul haben Paare zwischen denselben zwei Achsen eine Zähnesumme</translation>
+    </message>
+    <message>
+        <source>The only teeth that there are, such as 8 16 24 40; empty: any</source>
+        <translation>Die einzigen Zähnezahlen, die es gibt, etwa 8 16 24 40; leer: beliebige</translation>
+    </message>
+    <message>
+        <source>any, or only these: 8 16 24 40</source>
+        <translation>beliebig, oder nur: 8 16 24 40</translation>
+    </message>
+    <message>
+        <source>Efficiency of every mesh; empty: as the document states, if it does</source>
+        <translation>Wirkungsgrad jedes Zahneingriffs; leer: wie im Dokument, falls es einen nennt</translation>
+    </message>
+    <message>
+        <source>The least efficiency that every ratio must have; empty: any</source>
+        <translation>Der kleinste Wirkungsgrad, den jede Übersetzung haben muss; leer: beliebig</translation>
+    </message>
+    <message>
+        <source>each of these once</source>
+        <translation>jedes davon einmal</translation>
+    </message>
+    <message>
+        <source>Of the wheels that are listed each is used once at most</source>
+        <translation>Von den aufgezählten Rädern wird jedes höchstens einmal verwendet</translation>
+    </message>
+    <message>
+        <source>axes stay where they are</source>
+        <translation>Achsen bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Centre distances and modules stay as they are</source>
+        <translation>Achsabstände und Module bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>only with hunting teeth</source>
+        <translation>nur mit teilerfremden Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>No two teeth meet again before each has met all others</source>
+        <translation>Keine zwei Zähne treffen sich wieder, bevor jeder alle anderen getroffen hat</translation>
+    </message>
+    <message>
+        <source>no undercut</source>
+        <translation>kein Unterschnitt</translation>
+    </message>
+    <message>
+        <source>No gear has fewer teeth than a rack cuts without undercut and profile shift</source>
+        <translation>Kein Rad hat weniger Zähne, als eine Zahnstange ohne Unterschnitt und Profilverschiebung schneidet</translation>
+    </message>
+    <message>
+        <source>Rings to</source>
+        <translation>Hohlräder bis</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>In stock</source>
+        <translation>Vorrat</translation>
+    </message>
+    <message>
+        <source>Least η</source>
+        <translation>η mindestens</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 drehen sich</translation>
+    </message>
+    <message>
+        <source>%1 with planets that clear each other</source>
+        <translation>%1 mit Planeten, die einander nicht berühren</translation>
+    </message>
+    <message>
+        <source>%1 with equal planets that go in</source>
+        <translation>%1 mit gleichen Planeten, die sich einbauen lassen</translation>
+    </message>
+    <message>
+        <source>%1 with hunting teeth only</source>
+        <translation>%1 nur mit teilerfremden Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>%1 without undercut</source>
+        <translation>%1 ohne Unterschnitt</translation>
+    </message>
+    <message>
+        <source>%1 within the tolerance</source>
+        <translation>%1 innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Draw a train with gear pairs; then say which ratio it should have, and every choice of whole teeth within your limits is tried.</source>
+        <translation>Zeichnen Sie ein Getriebe mit Radpaaren; sagen Sie dann, welche Übersetzung es haben soll, und jede Wahl ganzer Zähnezahlen innerhalb Ihrer Grenzen wird geprüft.</translation>
+    </message>
+    <message>
+        <source>The teeth could not be searched: %1</source>
+        <translation>Die Zähnezahlen konnten nicht gesucht werden: %1</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Wie viel der Suche getan ist</translation>
+    </message>
+    <message>
+        <source>u: undercut; a profile shift mends it</source>
+        <translation>u: Unterschnitt; eine Profilverschiebung behebt ihn</translation>
+    </message>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Zertifikat sichern…</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV (Ctrl+C)</source>
+        <translation>Die Tabelle als CSV kopieren (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV</source>
+        <translation>Die Tabelle als CSV sichern</translation>
+    </message>
+    <message>
+        <source>Use these teeth</source>
+        <translation>Diese Zähne verwenden</translation>
+    </message>
+    <message>
+        <source>Choices of teeth</source>
+        <translation>Möglichkeiten für Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>bisher %1</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>Die Suche beenden; was gefunden ist, bleibt</translation>
+    </message>
+    <message>
+        <source>The wish cannot be met as it is: see beside its fields.</source>
+        <translation>Der Wunsch lässt sich so nicht erfüllen: siehe bei seinen Feldern.</translation>
+    </message>
+    <message>
+        <source>Type the ratio that you want: every choice of whole teeth is tried.</source>
+        <translation>Tippen Sie die gewünschte Übersetzung: jede Wahl ganzer Zähnezahlen wird geprüft.</translation>
+    </message>
+    <message>
+        <source>All %1 choices tried: complete</source>
+        <translation>Alle %1 Möglichkeiten geprüft: vollständig</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 choices: not complete</source>
+        <translation>Nach %1 Möglichkeiten angehalten: nicht vollständig</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Search from the beginning</source>
+        <translation>Von vorn suchen</translation>
+    </message>
+    <message>
+        <source>%1 meet the wish</source>
+        <translation>%1 erfüllen den Wunsch</translation>
+    </message>
+    <message>
+        <source>the best %1 are shown</source>
+        <translation>die besten %1 sind zu sehen</translation>
+    </message>
+    <message>
+        <source>%1, off by %2</source>
+        <translation>%1, daneben um %2</translation>
+    </message>
+    <message>
+        <source>None. Nearest: %1</source>
+        <translation>Keine. Am nächsten: %1</translation>
+    </message>
+    <message>
+        <source>No choice of teeth is left: the line above says where they end. Wider limits, or more wheels that may change, give more.</source>
+        <translation>Keine Möglichkeit bleibt: die Zeile darüber sagt, wo sie enden. Weitere Grenzen oder mehr Räder, die sich ändern dürfen, geben mehr.</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet.</source>
+        <translation>Noch wurde nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it</source>
+        <translation>Dem Getriebe die Zähne der gewählten Zeile geben (Eingabe); Strg+Z macht es rückgängig</translation>
+    </message>
+    <message>
+        <source>Choose a row first</source>
+        <translation>Erst eine Zeile wählen</translation>
+    </message>
+    <message>
+        <source>Save what proves that there are no other choices</source>
+        <translation>Sichern, was beweist, dass es keine anderen Möglichkeiten gibt</translation>
+    </message>
+    <message>
+        <source>There is a certificate when all choices have been tried</source>
+        <translation>Ein Zertifikat gibt es, wenn alle Möglichkeiten geprüft sind</translation>
+    </message>
+    <message>
+        <source>Choose teeth</source>
+        <translation>Zähnezahlen wählen</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>Wahl %1</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>am nächsten</translation>
+    </message>
+    <message>
+        <source>Save certificate</source>
+        <translation>Zertifikat sichern</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON-Dateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mesh %1: every tooth meets every other</source>
+        <translation>Zahneingriff %1: jeder Zahn trifft jeden anderen</translation>
+    </message>
+    <message>
+        <source>Mesh %1: a tooth meets one in %2 of the others</source>
+        <translation>Zahneingriff %1: ein Zahn trifft nur jeden %2-ten der anderen</translation>
+    </message>
+    <message>
+        <source>%1: a rack undercuts it without a profile shift</source>
+        <translation>%1: eine Zahnstange unterschneidet es ohne Profilverschiebung</translation>
+    </message>
+    <message>
+        <source>hunting</source>
+        <translation>teilerfremd</translation>
+    </message>
+    <message>
+        <source>The best first: the smallest error, then the highest efficiency</source>
+        <translation>Die beste zuerst: der kleinste Fehler, dann der höchste Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>Teeth of %1</source>
+        <translation>Zähne von %1</translation>
+    </message>
+    <message>
+        <source>The ratio, exactly</source>
+        <translation>Die Übersetzung, genau</translation>
+    </message>
+    <message>
+        <source>The ratio, rounded to three decimals</source>
+        <translation>Die Übersetzung, auf drei Stellen gerundet</translation>
+    </message>
+    <message>
+        <source>By how much of the wished ratio it is missed; the dot shows where it is within the tolerance</source>
+        <translation>Um welchen Teil der gewünschten Übersetzung sie verfehlt wird; der Punkt zeigt, wo sie in der Toleranz ist</translation>
+    </message>
+    <message>
+        <source>How many equal planets go in at equal distances and clear each other</source>
+        <translation>Wie viele gleiche Planeten sich in gleichen Abständen einbauen lassen, ohne einander zu berühren</translation>
+    </message>
+    <message>
+        <source>By pair of wheels: a hunting tooth meets all others before it meets one again</source>
+        <translation>Je Radpaar: bei teilerfremden Zähnezahlen trifft ein Zahn alle anderen, bevor er einen wieder trifft</translation>
+    </message>
+    <message>
+        <source>Efficiency of the train, of several ratios the smallest</source>
+        <translation>Wirkungsgrad des Getriebes, von mehreren Übersetzungen der kleinste</translation>
+    </message>
+    <message>
+        <source>The same with the power the other way; none: it locks itself</source>
+        <translation>Dasselbe mit der Leistung in Gegenrichtung; keiner: es hemmt sich selbst</translation>
+    </message>
+    <message>
+        <source>Teeth for &amp;ratios…</source>
+        <translation>Zähnezahlen für Üb&amp;ersetzungen…</translation>
+    </message>
+    <message>
+        <source>Every choice of whole teeth with which this train has the ratios that you want</source>
+        <translation>Jede Wahl ganzer Zähnezahlen, mit der dieses Getriebe die gewünschten Übersetzungen hat</translation>
+    </message>
+    <message>
+        <source>There is no train yet whose teeth could be chosen.</source>
+        <translation>Es gibt noch kein Getriebe, dessen Zähne gewählt werden könnten.</translation>
+    </message>
+    <message>
+        <source>The teeth hold the answer: they open when the step is right or shown.</source>
+        <translation>Die Zähne enthalten die Antwort: sie öffnen sich, wenn der Schritt richtig oder gezeigt ist.</translation>
+    </message>
+    <message>
+        <source>Levers</source>
+        <translation>Hebel</translation>
+    </message>
+    <message>
+        <source>Each gear set as a lever, its links at their places</source>
+        <translation>Jeder Radsatz als Hebel, seine Glieder an ihren Stellen</translation>
+    </message>
+    <message>
+        <source>Nomogram</source>
+        <translation>Nomogramm</translation>
+    </message>
+    <message>
+        <source>The states of the gearbox as lines across the speeds of its links</source>
+        <translation>Die Schaltzustände des Getriebes als Linien über die Drehzahlen seiner Glieder</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Lageplan</translation>
+    </message>
+    <message>
+        <source>The plane of the links that is left when the coupling engaged last is let go</source>
+        <translation>Die Ebene der Glieder, die bleibt, wenn das zuletzt geschlossene Schaltelement gelöst wird</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: how fast each link turns</source>
+        <translation>Pfeile rechts der Stäbe: wie schnell sich jedes Glied dreht</translation>
+    </message>
+    <message>
+        <source>Arrows to the left of the bars: the torques of the links on the lever, which add up to zero</source>
+        <translation>Pfeile links der Stäbe: die Momente der Glieder auf den Hebel, deren Summe null ist</translation>
+    </message>
+    <message>
+        <source>With so many inputs no arrow is dragged: set them in Inputs and results</source>
+        <translation>Bei so vielen Antrieben wird kein Pfeil gezogen: Sie werden unter Antriebe und Ergebnisse eingestellt</translation>
+    </message>
+    <message>
+        <source>Input %1: %2 rad/s. Esc puts back</source>
+        <translation>Antrieb %1: %2 rad/s. Esc stellt zurück</translation>
+    </message>
+    <message>
+        <source>No input turns this link: there is no speed to set</source>
+        <translation>Kein Antrieb dreht dieses Glied: Es gibt keine Geschwindigkeit einzustellen</translation>
+    </message>
+    <message>
+        <source>Speed of the link, rad/s</source>
+        <translation>Geschwindigkeit des Glieds, rad/s</translation>
+    </message>
+    <message>
+        <source>“%1” is no speed: a number, or one with a unit such as 30 rpm</source>
+        <translation>„%1“ ist keine Geschwindigkeit: eine Zahl, oder eine mit Einheit wie 30 rpm</translation>
+    </message>
+    <message>
+        <source>%1 for %2: state %3</source>
+        <translation>%1 statt %2: Schaltzustand %3</translation>
+    </message>
+    <message>
+        <source>, ratio %1</source>
+        <translation>, Übersetzung %1</translation>
+    </message>
+    <message>
+        <source>let go of %1: 1 freedom</source>
+        <translation>%1 lösen: 1 Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>let go of %1: %2 freedoms</source>
+        <translation>%1 lösen: %2 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>hold it (B): it does not turn anyway</source>
+        <translation>festhalten (B): Es dreht sich ohnehin nicht</translation>
+    </message>
+    <message>
+        <source>hold it (B): nothing turns any more</source>
+        <translation>festhalten (B): Dann dreht sich nichts mehr</translation>
+    </message>
+    <message>
+        <source>hold it (B): 1 freedom</source>
+        <translation>festhalten (B): 1 Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>hold it (B): %1 freedoms</source>
+        <translation>festhalten (B): %1 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>instead</source>
+        <translation>sonst</translation>
+    </message>
+    <message>
+        <source>State %1: nothing engaged</source>
+        <translation>Schaltzustand %1: nichts geschlossen</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Schaltzustand %1: %2</translation>
+    </message>
+    <message>
+        <source>The levers hold the answer: they are shown when the step is right or shown.</source>
+        <translation>Die Hebel enthalten die Antwort: Sie erscheinen, wenn der Schritt richtig ist oder gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The levers are still being laid out. Try again in a moment.</source>
+        <translation>Die Hebel werden noch angeordnet. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow: the train turns with it. Click a point to select its link, B holds it</source>
+        <translation>Ziehen Sie an einem Pfeil: Das Getriebe dreht sich mit. Ein Klick auf einen Punkt wählt sein Glied, B hält es fest</translation>
+    </message>
+    <message>
+        <source>Click a line or its tag to engage the state</source>
+        <translation>Ein Klick auf eine Linie oder ihr Schild schaltet den Zustand</translation>
+    </message>
+    <message>
+        <source>Engaging a coupling draws the plane together along its dotted line</source>
+        <translation>Ein Schaltelement zu schließen zieht die Ebene entlang seiner gepunkteten Linie zusammen</translation>
+    </message>
+    <message>
+        <source>Gear sets as levers: speeds and torques of the links on the ground&apos;s axis</source>
+        <translation>Radsätze als Hebel: Geschwindigkeiten und Momente der Glieder auf der Gestellachse</translation>
+    </message>
+    <message>
+        <source>Speeds and torques on levers, the states of a gearbox as a nomogram, and the plane of two freedoms.</source>
+        <translation>Geschwindigkeiten und Momente an Hebeln, die Schaltzustände eines Getriebes als Nomogramm, und die Ebene zweier Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Glieder %1</translation>
+    </message>
+    <message>
+        <source>Link %1 (%2)</source>
+        <translation>Glied %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: held by brake %2</source>
+        <translation>%1: von Bremse %2 gehalten</translation>
+    </message>
+    <message>
+        <source>, as %1 : %2 teeth</source>
+        <translation>, wie %1 : %2 Zähne</translation>
+    </message>
+    <message>
+        <source>an end of the lever, %1 the other</source>
+        <translation>ein Ende des Hebels, %1 das andere</translation>
+    </message>
+    <message>
+        <source>%1 divides %2 to %3 in %4 : %5</source>
+        <translation>%1 teilt %2 bis %3 im Verhältnis %4 : %5</translation>
+    </message>
+    <message>
+        <source>: %1 of the speed of %2 and %3 of that of %4</source>
+        <translation>: %1 der Geschwindigkeit von %2 und %3 derer von %4</translation>
+    </message>
+    <message>
+        <source>, by these tooth counts only</source>
+        <translation>, nur bei diesen Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 N m on this lever</source>
+        <translation>%1 N m auf diesen Hebel</translation>
+    </message>
+    <message>
+        <source>, %1 of the way from %2 to %3</source>
+        <translation>, %1 des Wegs von %2 nach %3</translation>
+    </message>
+    <message>
+        <source>, an end of the lever</source>
+        <translation>, ein Ende des Hebels</translation>
+    </message>
+    <message>
+        <source>, %1 rad/s</source>
+        <translation>, %1 rad/s</translation>
+    </message>
+    <message>
+        <source>, %1 N m</source>
+        <translation>, %1 N m</translation>
+    </message>
+    <message>
+        <source>Along a lever, to the next one</source>
+        <translation>Am Hebel entlang, zum nächsten</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Auf und Ab, Tab</translation>
+        <source>%1, of your train</source>
+        <translation>%1, aus Ihrem Getriebe</translation>
+    </message>
+    <message>
+        <source>%1
+axes: %2
+gear pairs / carrier: %3</source>
+        <translation>%1
+Achsen: %2
+Radpaare / Steg: %3</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 Ketten</translation>
+    </message>
+    <message>
+        <source>one of %1 links that is not in the atlas</source>
+        <translation>eine mit %1 Gliedern, die nicht im Atlas ist</translation>
+    </message>
+    <message>
+        <source>(cannot turn)</source>
+        <translation>(kann sich nicht drehen)</translation>
+    </message>
+    <message>
+        <source>(turns by these tooth counts only)</source>
+        <translation>(dreht sich nur mit diesen Zähnezahlen)</translation>
+    </message>
+    <message>
+        <source>in no gear pair: %1</source>
+        <translation>in keinem Radpaar: %1</translation>
+    </message>
+    <message>
+        <source>planets that repeat another: %1</source>
+        <translation>Planeten, die einen anderen wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>brakes and clutches</source>
+        <translation>Bremsen und Kupplungen</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>Your train is unfinished: %1</source>
+        <translation>Ihr Getriebe ist unfertig: %1</translation>
+    </message>
+    <message>
+        <source>Your train has no gear pair yet.</source>
+        <translation>Ihr Getriebe hat noch kein Radpaar.</translation>
+    </message>
+    <message>
+        <source>Your train is %1</source>
+        <translation>Ihr Getriebe ist %1</translation>
+    </message>
+    <message>
+        <source>Your train is %1 chains: %2</source>
+        <translation>Ihr Getriebe besteht aus %1 Ketten: %2</translation>
+    </message>
+    <message>
+        <source>Open as document</source>
+        <translation>Als Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>Show in my train</source>
+        <translation>In meinem Getriebe zeigen</translation>
+    </message>
+    <message>
+        <source>Copy number</source>
+        <translation>Nummer kopieren</translation>
+    </message>
+    <message>
+        <source>Select the links and gear pairs of your train that are this chain</source>
+        <translation>Die Glieder und Radpaare Ihres Getriebes auswählen, die diese Kette sind</translation>
+    </message>
+    <message>
+        <source>Your train is being identified…</source>
+        <translation>Ihr Getriebe wird bestimmt…</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs</source>
+        <translation>%1 Glieder, %2 Achsen, %3 Radpaare</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
+        <translation>%1 Glieder, %2 Achsen, %3 Radpaare; Freiheitsgrad %4, wenn ein Glied festgehalten ist</translation>
+    </message>
+    <message>
+        <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
+        <translation>Sie kann sich nicht drehen: %1 Radpaare sind ebenso viele Bedingungen für die Drehzahlen von %2 Gliedern, von denen eines festgehalten ist.</translation>
+    </message>
+    <message>
+        <source>Same equations, other shafts: %1</source>
+        <translation>Gleiche Gleichungen, andere Wellen: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair less: %1</source>
+        <translation>Ein Radpaar weniger: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair more: %1</source>
+        <translation>Ein Radpaar mehr: %1</translation>
+    </message>
+    <message>
+        <source>Digraph of chain %1</source>
+        <translation>Digraph der Kette %1</translation>
+    </message>
+    <message>
+        <source>With the numbers and colours of your links</source>
+        <translation>Mit den Nummern und Farben Ihrer Glieder</translation>
+    </message>
+    <message>
+        <source>Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</source>
+        <translation>Anzahlen für Freiheitsgrad 1 wie in Yang, Ding u. a., J. Mech. Des. 141(4), 2019, 043301</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. Chains: with the axes, too (displacement graphs). Left out are chains in which m gear pairs have fewer than m + 2 links between them, so that these turn as one; the smallest of them are the trains that cannot turn.</source>
+        <translation>Eine Kette sind Glieder, Achsen und Radpaare, jedes Paar mit dem Glied, das beide Räder trägt. Welches Glied festgehalten ist, Zähne, Arten von Rädern und die Gelenke, mit denen gleichachsige Glieder gezeichnet sind, spielen keine Rolle. Gleichungen: allein die Tripel Rad, Rad, Steg (Rotationsgraphen), also die Gleichungen der Drehzahlen. Ketten: auch mit den Achsen (Verschiebungsgraphen). Weggelassen sind Ketten, in denen m Radpaare weniger als m + 2 Glieder zwischen sich haben, sodass diese sich wie eines drehen; die kleinsten davon sind die Getriebe, die sich nicht drehen können.</translation>
+    </message>
+    <message>
+        <source>Freedom, one link held</source>
+        <translation>Freiheitsgrad, ein Glied fest</translation>
+    </message>
+    <message>
+        <source>No link parts the chain in two, and every link is in a gear pair</source>
+        <translation>Kein Glied teilt die Kette in zwei, und jedes Glied ist in einem Radpaar</translation>
+    </message>
+    <message>
+        <source>Chains with the same equations of speeds differ in their shafts only</source>
+        <translation>Ketten mit denselben Gleichungen der Drehzahlen unterscheiden sich nur in den Wellen</translation>
+    </message>
+    <message>
+        <source>Trains that cannot turn, and why</source>
+        <translation>Getriebe, die sich nicht drehen können, und warum</translation>
+    </message>
+    <message>
+        <source>Number, as 6-1.5</source>
+        <translation>Nummer, etwa 6-1.5</translation>
+    </message>
+    <message>
+        <source>What is counted?</source>
+        <translation>Was wird gezählt?</translation>
+    </message>
+    <message>
+        <source>Chains with 1 freedom</source>
+        <translation>Ketten mit Freiheitsgrad 1</translation>
+    </message>
+    <message>
+        <source>nonfractionated (%1)</source>
+        <translation>nicht zerlegbar (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; %3 equations</source>
+        <translation>%1 von %2 Ketten; %3 Gleichungen</translation>
+    </message>
+    <message>
+        <source>equations of %1 only</source>
+        <translation>nur Gleichungen von %1</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them your train is. Arrow keys walk, Enter opens one as a document, / finds a number.</source>
+        <translation>Alle Räderketten bis 7 Glieder, und welche davon Ihr Getriebe ist. Pfeiltasten gehen weiter, Enter öffnet eine als Dokument, / sucht eine Nummer.</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, filtered and counted, and which your train is.</source>
+        <translation>Räderketten, gefiltert und gezählt, und welche davon Ihr Getriebe ist.</translation>
+    </message>
+    <message>
+        <source>Atlas of &amp;chains</source>
+        <translation>Atlas der &amp;Ketten</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
+        <translation>Alle Räderketten bis 7 Glieder, und welche davon dieses Getriebe ist</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Neues Dokument</translation>
+    </message>
+    <message>
+        <source>Chains</source>
+        <translation>Ketten</translation>
+    </message>
+    <message>
+        <source>Number of a chain</source>
+        <translation>Nummer einer Kette</translation>
     </message>
 </context>
 <context>
@@ -16611,8 +17405,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Der Mechanismus im Schnitt, wie in Lehrbüchern. Auch hier lässt sich zeichnen.</translation>
     </message>
     <message>
-        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
-        <translation>Der Mechanismus, auf drei Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>Der Mechanismus, auf vier Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
     </message>
     <message>
         <source>Tools for drawing, undo and redo, the motion, and the search field.</source>

@@ -16172,10 +16172,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>sol sobre satélite, corona de cada tren</translation>
     </message>
     <message>
-        <source>planets</source>
-        <translation>satélites</translation>
-    </message>
-    <message>
         <source>ratios</source>
         <translation>relaciones</translation>
     </message>
@@ -16498,6 +16494,108 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>one let go, one taken per shift</source>
         <translation>por cambio se libera uno y se activa otro</translation>
+        <source>Show what the exercises ask for</source>
+        <translation>Mostrar lo que preguntan los ejercicios</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>dibujado</translation>
+    </message>
+    <message>
+        <source>%1: pinned, it keeps its teeth</source>
+        <translation>%1: fijada, conserva sus dientes</translation>
+    </message>
+    <message>
+        <source>%1. Ticked: its teeth may change</source>
+        <translation>%1. Marcada: sus dientes pueden cambiar</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fijada</translation>
+    </message>
+    <message>
+        <source>Its teeth follow from the others: one distance between two axes</source>
+        <translation>Sus dientes se deducen de los demás: una sola distancia entre dos ejes</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which the train has the ratios that you want, all of them.</source>
+        <translation>Los dientes enteros con los que el tren tiene las relaciones deseadas, todos ellos.</translation>
+    </message>
+    <message>
+        <source>The link that drives</source>
+        <translation>El eslabón que acciona</translation>
+    </message>
+    <message>
+        <source>The link that is driven</source>
+        <translation>El eslabón accionado</translation>
+    </message>
+    <message>
+        <source>In which state the ratio is wanted, or which links are held</source>
+        <translation>En qué estado se desea la relación, o qué eslabones están retenidos</translation>
+    </message>
+    <message>
+        <source>The numbers of the links that are held, such as 2 4</source>
+        <translation>Los números de los eslabones retenidos, como 2 4</translation>
+    </message>
+    <message>
+        <source>Speed of the drive over that of the driven link: 64, 9/2 or 0.632</source>
+        <translation>Velocidad del eslabón motor entre la del accionado: 64, 9/2 o 0,632</translation>
+    </message>
+    <message>
+        <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
+        <translation>Cuánto puede desviarse la relación: un 0,5 % de ella, o un número como 0,01. Vacío: un decimal se toma como redondeado, cualquier otra relación se desea exacta</translation>
+    </message>
+    <message>
+        <source>Remove this ratio</source>
+        <translation>Quitar esta relación</translation>
+    </message>
+    <message>
+        <source>such as 2 4</source>
+        <translation>como 2 4</translation>
+    </message>
+    <message>
+        <source>in state %1</source>
+        <translation>en el estado %1</translation>
+    </message>
+    <message>
+        <source>as engaged now</source>
+        <translation>como está activado ahora</translation>
+    </message>
+    <message>
+        <source>with links held:</source>
+        <translation>con eslabones retenidos:</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>ahora %1</translation>
+    </message>
+    <message>
+        <source>%1, meshes with %2</source>
+        <translation>%1, engrana con %2</translation>
+    </message>
+    <message>
+        <source>+ Ratio</source>
+        <translation>+ Relación</translation>
+    </message>
+    <message>
+        <source>Another ratio of the same train: all of them have to be met</source>
+        <translation>Otra relación del mismo tren: todas han de cumplirse</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Deseado</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>Ruedas</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Por defecto</translation>
+    </message>
+    <message>
+        <source>The limits as they are at first</source>
+        <translation>Los límites como al principio</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -16550,6 +16648,702 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
         <translation>La caja es un documento propio, con un estado por marcha. Guardar la conserva.</translation>
+        <source>Fewest teeth of a wheel</source>
+        <translation>Mínimo de dientes de una rueda</translation>
+    </message>
+    <message>
+        <source>Most teeth of a gear</source>
+        <translation>Máximo de dientes de una rueda exterior</translation>
+    </message>
+    <message>
+        <source>Most teeth of a ring gear</source>
+        <translation>Máximo de dientes de una corona</translation>
+    </message>
+    <message>
+        <source>Equal planets at equal distances that have to go in and to clear each other</source>
+        <translation>Satélites iguales a distancias iguales que han de montarse sin tocarse</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>como está dibujado</translation>
+    </message>
+    <message>
+        <source>Whole teeth by which the sums of two pairs between the same axes may differ; a profile shift makes up for it</source>
+        <translation>Dientes enteros en que pueden diferir las sumas de dos pares entre los mismos ejes; un desplazamiento de perfil lo compensa</translation>
+    </message>
+    <message>
+        <source>one for all</source>
+        <translation>uno para todos</translation>
+    </message>
+    <message>
+        <source>free for each pair</source>
+        <translation>libre para cada par</translation>
+    </message>
+    <message>
+        <source>With one module, pairs between the same two axes have one sum of teeth</source>
+        <translation>Con un solo módulo, los pares entre los mismos dos ejes tienen una misma suma de dientes</translation>
+    </message>
+    <message>
+        <source>The only teeth that there are, such as 8 16 24 40; empty: any</source>
+        <translation>Los únicos dientes que hay, como 8 16 24 40; vacío: cualesquiera</translation>
+    </message>
+    <message>
+        <source>any, or only these: 8 16 24 40</source>
+        <translation>cualquiera, o solo: 8 16 24 40</translation>
+    </message>
+    <message>
+        <source>Efficiency of every mesh; empty: as the document states, if it does</source>
+        <translation>Rendimiento de cada engrane; vacío: como indica el documento, si lo indica</translation>
+    </message>
+    <message>
+        <source>The least efficiency that every ratio must have; empty: any</source>
+        <translation>El rendimiento mínimo que debe tener cada relación; vacío: cualquiera</translation>
+    </message>
+    <message>
+        <source>each of these once</source>
+        <translation>cada una de estas una vez</translation>
+    </message>
+    <message>
+        <source>Of the wheels that are listed each is used once at most</source>
+        <translation>De las ruedas enumeradas cada una se usa una vez como mucho</translation>
+    </message>
+    <message>
+        <source>axes stay where they are</source>
+        <translation>los ejes se quedan donde están</translation>
+    </message>
+    <message>
+        <source>Centre distances and modules stay as they are</source>
+        <translation>Las distancias entre ejes y los módulos se quedan como están</translation>
+    </message>
+    <message>
+        <source>only with hunting teeth</source>
+        <translation>solo con dientes primos entre sí</translation>
+    </message>
+    <message>
+        <source>No two teeth meet again before each has met all others</source>
+        <translation>Dos dientes no se reencuentran antes de que cada uno haya encontrado a todos los demás</translation>
+    </message>
+    <message>
+        <source>no undercut</source>
+        <translation>sin socavado</translation>
+    </message>
+    <message>
+        <source>No gear has fewer teeth than a rack cuts without undercut and profile shift</source>
+        <translation>Ninguna rueda tiene menos dientes de los que una cremallera talla sin socavado ni desplazamiento de perfil</translation>
+    </message>
+    <message>
+        <source>Rings to</source>
+        <translation>Coronas hasta</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Holgura</translation>
+    </message>
+    <message>
+        <source>In stock</source>
+        <translation>Existencias</translation>
+    </message>
+    <message>
+        <source>Least η</source>
+        <translation>η mínimo</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 giran</translation>
+    </message>
+    <message>
+        <source>%1 with planets that clear each other</source>
+        <translation>%1 con satélites que no se tocan</translation>
+    </message>
+    <message>
+        <source>%1 with equal planets that go in</source>
+        <translation>%1 con satélites iguales que se pueden montar</translation>
+    </message>
+    <message>
+        <source>%1 with hunting teeth only</source>
+        <translation>%1 solo con dientes primos entre sí</translation>
+    </message>
+    <message>
+        <source>%1 without undercut</source>
+        <translation>%1 sin socavado</translation>
+    </message>
+    <message>
+        <source>%1 within the tolerance</source>
+        <translation>%1 dentro de la tolerancia</translation>
+    </message>
+    <message>
+        <source>Draw a train with gear pairs; then say which ratio it should have, and every choice of whole teeth within your limits is tried.</source>
+        <translation>Dibuje un tren con pares de ruedas; diga después qué relación ha de tener, y se prueba cada elección de dientes enteros dentro de sus límites.</translation>
+    </message>
+    <message>
+        <source>The teeth could not be searched: %1</source>
+        <translation>No se pudieron buscar los dientes: %1</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Cuánto de la búsqueda está hecho</translation>
+    </message>
+    <message>
+        <source>u: undercut; a profile shift mends it</source>
+        <translation>u: socavado; un desplazamiento de perfil lo corrige</translation>
+    </message>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Guardar certificado…</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV (Ctrl+C)</source>
+        <translation>Copiar la tabla como CSV (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV</source>
+        <translation>Guardar la tabla como CSV</translation>
+    </message>
+    <message>
+        <source>Use these teeth</source>
+        <translation>Usar estos dientes</translation>
+    </message>
+    <message>
+        <source>Choices of teeth</source>
+        <translation>Elecciones de dientes</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>%1 hasta ahora</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>Terminar la búsqueda; lo hallado se queda</translation>
+    </message>
+    <message>
+        <source>The wish cannot be met as it is: see beside its fields.</source>
+        <translation>El deseo no puede cumplirse así: véase junto a sus campos.</translation>
+    </message>
+    <message>
+        <source>Type the ratio that you want: every choice of whole teeth is tried.</source>
+        <translation>Escriba la relación deseada: se prueba cada elección de dientes enteros.</translation>
+    </message>
+    <message>
+        <source>All %1 choices tried: complete</source>
+        <translation>Las %1 elecciones probadas: completo</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 choices: not complete</source>
+        <translation>Detenido tras %1 elecciones: incompleto</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Buscar de nuevo</translation>
+    </message>
+    <message>
+        <source>Search from the beginning</source>
+        <translation>Buscar desde el principio</translation>
+    </message>
+    <message>
+        <source>%1 meet the wish</source>
+        <translation>%1 cumplen el deseo</translation>
+    </message>
+    <message>
+        <source>the best %1 are shown</source>
+        <translation>se muestran las %1 mejores</translation>
+    </message>
+    <message>
+        <source>%1, off by %2</source>
+        <translation>%1, con desvío de %2</translation>
+    </message>
+    <message>
+        <source>None. Nearest: %1</source>
+        <translation>Ninguna. La más cercana: %1</translation>
+    </message>
+    <message>
+        <source>No choice of teeth is left: the line above says where they end. Wider limits, or more wheels that may change, give more.</source>
+        <translation>No queda ninguna elección: la línea de arriba dice dónde se acaban. Límites más amplios, o más ruedas que puedan cambiar, dan más.</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet.</source>
+        <translation>Aún no se ha hallado nada.</translation>
+    </message>
+    <message>
+        <source>Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it</source>
+        <translation>Dar al tren los dientes de la fila elegida (Intro); Ctrl+Z lo deshace</translation>
+    </message>
+    <message>
+        <source>Choose a row first</source>
+        <translation>Elija antes una fila</translation>
+    </message>
+    <message>
+        <source>Save what proves that there are no other choices</source>
+        <translation>Guardar lo que demuestra que no hay otras elecciones</translation>
+    </message>
+    <message>
+        <source>There is a certificate when all choices have been tried</source>
+        <translation>Hay certificado cuando se han probado todas las elecciones</translation>
+    </message>
+    <message>
+        <source>Choose teeth</source>
+        <translation>Elegir dientes</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>elección %1</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>más cercana</translation>
+    </message>
+    <message>
+        <source>Save certificate</source>
+        <translation>Guardar certificado</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>Archivos JSON (*.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Mesh %1: every tooth meets every other</source>
+        <translation>Engrane %1: cada diente encuentra a todos los otros</translation>
+    </message>
+    <message>
+        <source>Mesh %1: a tooth meets one in %2 of the others</source>
+        <translation>Engrane %1: un diente encuentra a uno de cada %2 de los otros</translation>
+    </message>
+    <message>
+        <source>%1: a rack undercuts it without a profile shift</source>
+        <translation>%1: una cremallera la socava sin desplazamiento de perfil</translation>
+    </message>
+    <message>
+        <source>hunting</source>
+        <translation>primos</translation>
+    </message>
+    <message>
+        <source>The best first: the smallest error, then the highest efficiency</source>
+        <translation>La mejor primero: el menor error, después el mayor rendimiento</translation>
+    </message>
+    <message>
+        <source>Teeth of %1</source>
+        <translation>Dientes de %1</translation>
+    </message>
+    <message>
+        <source>The ratio, exactly</source>
+        <translation>La relación, exacta</translation>
+    </message>
+    <message>
+        <source>The ratio, rounded to three decimals</source>
+        <translation>La relación, redondeada a tres decimales</translation>
+    </message>
+    <message>
+        <source>By how much of the wished ratio it is missed; the dot shows where it is within the tolerance</source>
+        <translation>En qué parte de la relación deseada se desvía; el punto muestra dónde está dentro de la tolerancia</translation>
+    </message>
+    <message>
+        <source>How many equal planets go in at equal distances and clear each other</source>
+        <translation>Cuántos satélites iguales se pueden montar a distancias iguales sin tocarse</translation>
+    </message>
+    <message>
+        <source>By pair of wheels: a hunting tooth meets all others before it meets one again</source>
+        <translation>Por par de ruedas: con números primos entre sí, un diente encuentra a todos los otros antes de repetir</translation>
+    </message>
+    <message>
+        <source>Efficiency of the train, of several ratios the smallest</source>
+        <translation>Rendimiento del tren, el menor si hay varias relaciones</translation>
+    </message>
+    <message>
+        <source>The same with the power the other way; none: it locks itself</source>
+        <translation>Lo mismo con la potencia en sentido contrario; ninguno: se autobloquea</translation>
+    </message>
+    <message>
+        <source>Teeth for &amp;ratios…</source>
+        <translation>Dientes para &amp;relaciones…</translation>
+    </message>
+    <message>
+        <source>Every choice of whole teeth with which this train has the ratios that you want</source>
+        <translation>Cada elección de dientes enteros con la que este tren tiene las relaciones deseadas</translation>
+    </message>
+    <message>
+        <source>There is no train yet whose teeth could be chosen.</source>
+        <translation>Aún no hay un tren cuyos dientes se puedan elegir.</translation>
+    </message>
+    <message>
+        <source>The teeth hold the answer: they open when the step is right or shown.</source>
+        <translation>Los dientes contienen la respuesta: se abren cuando el paso es correcto o se muestra.</translation>
+    </message>
+    <message>
+        <source>Levers</source>
+        <translation>Palancas</translation>
+    </message>
+    <message>
+        <source>Each gear set as a lever, its links at their places</source>
+        <translation>Cada juego de engranajes como palanca, con sus eslabones en su sitio</translation>
+    </message>
+    <message>
+        <source>Nomogram</source>
+        <translation>Nomograma</translation>
+    </message>
+    <message>
+        <source>The states of the gearbox as lines across the speeds of its links</source>
+        <translation>Los estados de la caja como líneas a través de las velocidades de sus eslabones</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>The plane of the links that is left when the coupling engaged last is let go</source>
+        <translation>El plano de los eslabones que queda al soltar el último acoplamiento activado</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: how fast each link turns</source>
+        <translation>Flechas a la derecha de las barras: a qué velocidad gira cada eslabón</translation>
+    </message>
+    <message>
+        <source>Arrows to the left of the bars: the torques of the links on the lever, which add up to zero</source>
+        <translation>Flechas a la izquierda de las barras: los pares de los eslabones sobre la palanca, que suman cero</translation>
+    </message>
+    <message>
+        <source>With so many inputs no arrow is dragged: set them in Inputs and results</source>
+        <translation>Con tantas entradas no se arrastra ninguna flecha: se ajustan en Entradas y resultados</translation>
+    </message>
+    <message>
+        <source>Input %1: %2 rad/s. Esc puts back</source>
+        <translation>Entrada %1: %2 rad/s. Esc la devuelve</translation>
+    </message>
+    <message>
+        <source>No input turns this link: there is no speed to set</source>
+        <translation>Ninguna entrada gira este eslabón: no hay velocidad que ajustar</translation>
+    </message>
+    <message>
+        <source>Speed of the link, rad/s</source>
+        <translation>Velocidad del eslabón, rad/s</translation>
+    </message>
+    <message>
+        <source>“%1” is no speed: a number, or one with a unit such as 30 rpm</source>
+        <translation>«%1» no es una velocidad: un número, o uno con unidad como 30 rpm</translation>
+    </message>
+    <message>
+        <source>%1 for %2: state %3</source>
+        <translation>%1 en lugar de %2: estado %3</translation>
+    </message>
+    <message>
+        <source>, ratio %1</source>
+        <translation>, relación %1</translation>
+    </message>
+    <message>
+        <source>let go of %1: 1 freedom</source>
+        <translation>soltar %1: 1 grado de libertad</translation>
+    </message>
+    <message>
+        <source>let go of %1: %2 freedoms</source>
+        <translation>soltar %1: %2 grados de libertad</translation>
+    </message>
+    <message>
+        <source>hold it (B): it does not turn anyway</source>
+        <translation>retenerlo (B): de todos modos no gira</translation>
+    </message>
+    <message>
+        <source>hold it (B): nothing turns any more</source>
+        <translation>retenerlo (B): ya nada gira</translation>
+    </message>
+    <message>
+        <source>hold it (B): 1 freedom</source>
+        <translation>retenerlo (B): 1 grado de libertad</translation>
+    </message>
+    <message>
+        <source>hold it (B): %1 freedoms</source>
+        <translation>retenerlo (B): %1 grados de libertad</translation>
+    </message>
+    <message>
+        <source>instead</source>
+        <translation>en cambio</translation>
+    </message>
+    <message>
+        <source>State %1: nothing engaged</source>
+        <translation>Estado %1: nada activado</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Estado %1: %2</translation>
+    </message>
+    <message>
+        <source>The levers hold the answer: they are shown when the step is right or shown.</source>
+        <translation>Las palancas contienen la respuesta: aparecen cuando el paso es correcto o se muestra.</translation>
+    </message>
+    <message>
+        <source>The levers are still being laid out. Try again in a moment.</source>
+        <translation>Las palancas aún se están disponiendo. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow: the train turns with it. Click a point to select its link, B holds it</source>
+        <translation>Arrastre una flecha: el tren gira con ella. Un clic en un punto selecciona su eslabón, B lo retiene</translation>
+    </message>
+    <message>
+        <source>Click a line or its tag to engage the state</source>
+        <translation>Un clic en una línea o en su etiqueta activa el estado</translation>
+    </message>
+    <message>
+        <source>Engaging a coupling draws the plane together along its dotted line</source>
+        <translation>Activar un acoplamiento junta el plano a lo largo de su línea de puntos</translation>
+    </message>
+    <message>
+        <source>Gear sets as levers: speeds and torques of the links on the ground&apos;s axis</source>
+        <translation>Juegos de engranajes como palancas: velocidades y pares de los eslabones del eje del bastidor</translation>
+    </message>
+    <message>
+        <source>Speeds and torques on levers, the states of a gearbox as a nomogram, and the plane of two freedoms.</source>
+        <translation>Velocidades y pares en palancas, los estados de una caja como nomograma y el plano de dos grados de libertad.</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Eslabones %1</translation>
+    </message>
+    <message>
+        <source>Link %1 (%2)</source>
+        <translation>Eslabón %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: held by brake %2</source>
+        <translation>%1: retenido por el freno %2</translation>
+    </message>
+    <message>
+        <source>, as %1 : %2 teeth</source>
+        <translation>, como %1 : %2 dientes</translation>
+    </message>
+    <message>
+        <source>an end of the lever, %1 the other</source>
+        <translation>un extremo de la palanca, %1 el otro</translation>
+    </message>
+    <message>
+        <source>%1 divides %2 to %3 in %4 : %5</source>
+        <translation>%1 divide de %2 a %3 en %4 : %5</translation>
+    </message>
+    <message>
+        <source>: %1 of the speed of %2 and %3 of that of %4</source>
+        <translation>: %1 de la velocidad de %2 y %3 de la de %4</translation>
+    </message>
+    <message>
+        <source>, by these tooth counts only</source>
+        <translation>, solo con estos números de dientes</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>%1 N m on this lever</source>
+        <translation>%1 N m sobre esta palanca</translation>
+    </message>
+    <message>
+        <source>, %1 of the way from %2 to %3</source>
+        <translation>, a %1 del camino de %2 a %3</translation>
+    </message>
+    <message>
+        <source>, an end of the lever</source>
+        <translation>, un extremo de la palanca</translation>
+    </message>
+    <message>
+        <source>, %1 rad/s</source>
+        <translation>, %1 rad/s</translation>
+    </message>
+    <message>
+        <source>, %1 N m</source>
+        <translation>, %1 N m</translation>
+    </message>
+    <message>
+        <source>Along a lever, to the next one</source>
+        <translation>A lo largo de una palanca, a la siguiente</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Arriba y Abajo, Tab</translation>
+        <source>%1, of your train</source>
+        <translation>%1, de su tren</translation>
+    </message>
+    <message>
+        <source>%1
+axes: %2
+gear pairs / carrier: %3</source>
+        <translation>%1
+ejes: %2
+pares / portasatélites: %3</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 cadenas</translation>
+    </message>
+    <message>
+        <source>one of %1 links that is not in the atlas</source>
+        <translation>una de %1 eslabones que no está en el atlas</translation>
+    </message>
+    <message>
+        <source>(cannot turn)</source>
+        <translation>(no puede girar)</translation>
+    </message>
+    <message>
+        <source>(turns by these tooth counts only)</source>
+        <translation>(gira solo con estos números de dientes)</translation>
+    </message>
+    <message>
+        <source>in no gear pair: %1</source>
+        <translation>en ningún par: %1</translation>
+    </message>
+    <message>
+        <source>planets that repeat another: %1</source>
+        <translation>satélites que repiten otro: %1</translation>
+    </message>
+    <message>
+        <source>brakes and clutches</source>
+        <translation>frenos y embragues</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Fuera: %1</translation>
+    </message>
+    <message>
+        <source>Your train is unfinished: %1</source>
+        <translation>Su tren está sin terminar: %1</translation>
+    </message>
+    <message>
+        <source>Your train has no gear pair yet.</source>
+        <translation>Su tren aún no tiene ningún par.</translation>
+    </message>
+    <message>
+        <source>Your train is %1</source>
+        <translation>Su tren es %1</translation>
+    </message>
+    <message>
+        <source>Your train is %1 chains: %2</source>
+        <translation>Su tren son %1 cadenas: %2</translation>
+    </message>
+    <message>
+        <source>Open as document</source>
+        <translation>Abrir como documento</translation>
+    </message>
+    <message>
+        <source>Show in my train</source>
+        <translation>Mostrar en mi tren</translation>
+    </message>
+    <message>
+        <source>Copy number</source>
+        <translation>Copiar el número</translation>
+    </message>
+    <message>
+        <source>Select the links and gear pairs of your train that are this chain</source>
+        <translation>Seleccionar los eslabones y pares de su tren que son esta cadena</translation>
+    </message>
+    <message>
+        <source>Your train is being identified…</source>
+        <translation>Se está identificando su tren…</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs</source>
+        <translation>%1 eslabones, %2 ejes, %3 pares</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
+        <translation>%1 eslabones, %2 ejes, %3 pares; libertad %4 con un eslabón fijo</translation>
+    </message>
+    <message>
+        <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
+        <translation>No puede girar: %1 pares son otras tantas condiciones para las velocidades de %2 eslabones, uno de ellos fijo.</translation>
+    </message>
+    <message>
+        <source>Same equations, other shafts: %1</source>
+        <translation>Mismas ecuaciones, otros árboles: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair less: %1</source>
+        <translation>Un par menos: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair more: %1</source>
+        <translation>Un par más: %1</translation>
+    </message>
+    <message>
+        <source>Digraph of chain %1</source>
+        <translation>Digrafo de la cadena %1</translation>
+    </message>
+    <message>
+        <source>With the numbers and colours of your links</source>
+        <translation>Con los números y colores de sus eslabones</translation>
+    </message>
+    <message>
+        <source>Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</source>
+        <translation>Cantidades con libertad 1 como en Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. Chains: with the axes, too (displacement graphs). Left out are chains in which m gear pairs have fewer than m + 2 links between them, so that these turn as one; the smallest of them are the trains that cannot turn.</source>
+        <translation>Una cadena son eslabones, ejes y pares de engranajes, cada par con el eslabón que lleva las dos ruedas. No importan el eslabón fijo, los dientes, los tipos de ruedas ni las juntas con que se dibujan los eslabones coaxiales. Ecuaciones: solo las ternas rueda, rueda, portasatélites (grafos de rotación), que son las ecuaciones de las velocidades. Cadenas: también con los ejes (grafos de desplazamiento). Quedan fuera las cadenas en que m pares tienen entre sí menos de m + 2 eslabones, de modo que estos giran como uno; las más pequeñas son los trenes que no pueden girar.</translation>
+    </message>
+    <message>
+        <source>Freedom, one link held</source>
+        <translation>Libertad, un eslabón fijo</translation>
+    </message>
+    <message>
+        <source>No link parts the chain in two, and every link is in a gear pair</source>
+        <translation>Ningún eslabón parte la cadena en dos, y cada eslabón está en un par</translation>
+    </message>
+    <message>
+        <source>Chains with the same equations of speeds differ in their shafts only</source>
+        <translation>Las cadenas con las mismas ecuaciones de velocidades solo difieren en los árboles</translation>
+    </message>
+    <message>
+        <source>Trains that cannot turn, and why</source>
+        <translation>Trenes que no pueden girar, y por qué</translation>
+    </message>
+    <message>
+        <source>Number, as 6-1.5</source>
+        <translation>Número, p. ej. 6-1.5</translation>
+    </message>
+    <message>
+        <source>What is counted?</source>
+        <translation>¿Qué se cuenta?</translation>
+    </message>
+    <message>
+        <source>Chains with 1 freedom</source>
+        <translation>Cadenas con libertad 1</translation>
+    </message>
+    <message>
+        <source>nonfractionated (%1)</source>
+        <translation>no fraccionadas (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; %3 equations</source>
+        <translation>%1 de %2 cadenas; %3 ecuaciones</translation>
+    </message>
+    <message>
+        <source>equations of %1 only</source>
+        <translation>solo ecuaciones de %1</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them your train is. Arrow keys walk, Enter opens one as a document, / finds a number.</source>
+        <translation>Todas las cadenas de engranajes hasta 7 eslabones, y cuál es su tren. Las flechas recorren, Intro abre una como documento, / busca un número.</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, filtered and counted, and which your train is.</source>
+        <translation>Cadenas de engranajes, filtradas y contadas, y cuál es su tren.</translation>
+    </message>
+    <message>
+        <source>Atlas of &amp;chains</source>
+        <translation>Atlas de &amp;cadenas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
+        <translation>Todas las cadenas de engranajes hasta 7 eslabones, y cuál es este tren</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Documento nuevo</translation>
+    </message>
+    <message>
+        <source>Chains</source>
+        <translation>Cadenas</translation>
+    </message>
+    <message>
+        <source>Number of a chain</source>
+        <translation>Número de una cadena</translation>
     </message>
 </context>
 <context>
@@ -16611,8 +17405,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>El mecanismo en sección, como en los libros de texto. También aquí se puede dibujar.</translation>
     </message>
     <message>
-        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
-        <translation>El mecanismo dibujado de tres maneras; un clic en una pestaña elige una.</translation>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>El mecanismo dibujado de cuatro maneras; un clic en una pestaña elige una.</translation>
     </message>
     <message>
         <source>Tools for drawing, undo and redo, the motion, and the search field.</source>

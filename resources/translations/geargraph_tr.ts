@@ -16171,10 +16171,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>her takımın güneş/planeti, çemberi</translation>
     </message>
     <message>
-        <source>planets</source>
-        <translation>planetler</translation>
-    </message>
-    <message>
         <source>ratios</source>
         <translation>oranlar</translation>
     </message>
@@ -16497,6 +16493,108 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>one let go, one taken per shift</source>
         <translation>her geçişte biri ayrılır, biri devreye girer</translation>
+        <source>Show what the exercises ask for</source>
+        <translation>Alıştırmaların sorduğunu göster</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>çizilen</translation>
+    </message>
+    <message>
+        <source>%1: pinned, it keeps its teeth</source>
+        <translation>%1: sabitlenmiş, dişlerini korur</translation>
+    </message>
+    <message>
+        <source>%1. Ticked: its teeth may change</source>
+        <translation>%1. İşaretli: dişleri değişebilir</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>sabit</translation>
+    </message>
+    <message>
+        <source>Its teeth follow from the others: one distance between two axes</source>
+        <translation>Dişleri diğerlerinden çıkar: iki eksen arasında tek uzaklık</translation>
+    </message>
+    <message>
+        <source>Whole teeth with which the train has the ratios that you want, all of them.</source>
+        <translation>Takımın istediğiniz oranları verdiği tam diş sayıları, hepsi.</translation>
+    </message>
+    <message>
+        <source>The link that drives</source>
+        <translation>Tahrik eden uzuv</translation>
+    </message>
+    <message>
+        <source>The link that is driven</source>
+        <translation>Tahrik edilen uzuv</translation>
+    </message>
+    <message>
+        <source>In which state the ratio is wanted, or which links are held</source>
+        <translation>Oranın hangi durumda istendiği ya da hangi uzuvların tutulduğu</translation>
+    </message>
+    <message>
+        <source>The numbers of the links that are held, such as 2 4</source>
+        <translation>Tutulan uzuvların numaraları, örneğin 2 4</translation>
+    </message>
+    <message>
+        <source>Speed of the drive over that of the driven link: 64, 9/2 or 0.632</source>
+        <translation>Tahrik eden uzvun hızının tahrik edileninkine oranı: 64, 9/2 ya da 0,632</translation>
+    </message>
+    <message>
+        <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
+        <translation>Oran ne kadar sapabilir: %0,5 kadar ya da 0,01 gibi bir sayı kadar (0,5 % yazın). Boş: ondalık sayı yuvarlanmış sayılır, başka her oran tam istenir</translation>
+    </message>
+    <message>
+        <source>Remove this ratio</source>
+        <translation>Bu oranı kaldır</translation>
+    </message>
+    <message>
+        <source>such as 2 4</source>
+        <translation>örneğin 2 4</translation>
+    </message>
+    <message>
+        <source>in state %1</source>
+        <translation>%1 durumunda</translation>
+    </message>
+    <message>
+        <source>as engaged now</source>
+        <translation>şimdi devrede olduğu gibi</translation>
+    </message>
+    <message>
+        <source>with links held:</source>
+        <translation>uzuvlar tutulurken:</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>şimdi %1</translation>
+    </message>
+    <message>
+        <source>%1, meshes with %2</source>
+        <translation>%1, %2 ile kavraşır</translation>
+    </message>
+    <message>
+        <source>+ Ratio</source>
+        <translation>+ Oran</translation>
+    </message>
+    <message>
+        <source>Another ratio of the same train: all of them have to be met</source>
+        <translation>Aynı takımın bir oranı daha: hepsi sağlanmalıdır</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>İstenen</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>Dişliler</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Varsayılanlar</translation>
+    </message>
+    <message>
+        <source>The limits as they are at first</source>
+        <translation>Sınırlar baştaki gibi</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -16549,6 +16647,702 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
         <translation>Şanzıman, her vites için bir durumu olan ayrı bir belgedir. Kaydet onu saklar.</translation>
+        <source>Fewest teeth of a wheel</source>
+        <translation>Bir dişlinin en az dişi</translation>
+    </message>
+    <message>
+        <source>Most teeth of a gear</source>
+        <translation>Dıştan dişli bir çarkın en çok dişi</translation>
+    </message>
+    <message>
+        <source>Most teeth of a ring gear</source>
+        <translation>Bir çember dişlinin en çok dişi</translation>
+    </message>
+    <message>
+        <source>Equal planets at equal distances that have to go in and to clear each other</source>
+        <translation>Eşit aralıklarla takılabilmesi ve birbirine değmemesi gereken eş gezegenler</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>çizildiği gibi</translation>
+    </message>
+    <message>
+        <source>Whole teeth by which the sums of two pairs between the same axes may differ; a profile shift makes up for it</source>
+        <translation>Aynı eksenler arasındaki iki çiftin toplamlarının farklı olabileceği tam diş sayısı; profil kaydırma bunu giderir</translation>
+    </message>
+    <message>
+        <source>one for all</source>
+        <translation>hepsi için bir</translation>
+    </message>
+    <message>
+        <source>free for each pair</source>
+        <translation>her çift için serbest</translation>
+    </message>
+    <message>
+        <source>With one module, pairs between the same two axes have one sum of teeth</source>
+        <translation>Tek modülle, aynı iki eksen arasındaki çiftlerin diş toplamı birdir</translation>
+    </message>
+    <message>
+        <source>The only teeth that there are, such as 8 16 24 40; empty: any</source>
+        <translation>Var olan tek diş sayıları, örneğin 8 16 24 40; boş: herhangi</translation>
+    </message>
+    <message>
+        <source>any, or only these: 8 16 24 40</source>
+        <translation>herhangi ya da yalnız: 8 16 24 40</translation>
+    </message>
+    <message>
+        <source>Efficiency of every mesh; empty: as the document states, if it does</source>
+        <translation>Her dişli çiftinin verimi; boş: belge belirtiyorsa belgedeki gibi</translation>
+    </message>
+    <message>
+        <source>The least efficiency that every ratio must have; empty: any</source>
+        <translation>Her oranın sahip olması gereken en küçük verim; boş: herhangi</translation>
+    </message>
+    <message>
+        <source>each of these once</source>
+        <translation>bunların her biri bir kez</translation>
+    </message>
+    <message>
+        <source>Of the wheels that are listed each is used once at most</source>
+        <translation>Sayılan dişlilerin her biri en çok bir kez kullanılır</translation>
+    </message>
+    <message>
+        <source>axes stay where they are</source>
+        <translation>eksenler yerinde kalır</translation>
+    </message>
+    <message>
+        <source>Centre distances and modules stay as they are</source>
+        <translation>Eksen aralıkları ve modüller olduğu gibi kalır</translation>
+    </message>
+    <message>
+        <source>only with hunting teeth</source>
+        <translation>yalnız aralarında asal dişlerle</translation>
+    </message>
+    <message>
+        <source>No two teeth meet again before each has met all others</source>
+        <translation>Her diş ötekilerin hepsiyle karşılaşmadan aynı iki diş yeniden karşılaşmaz</translation>
+    </message>
+    <message>
+        <source>no undercut</source>
+        <translation>alttan kesme yok</translation>
+    </message>
+    <message>
+        <source>No gear has fewer teeth than a rack cuts without undercut and profile shift</source>
+        <translation>Hiçbir dişlinin dişi, kremayerin alttan kesme ve profil kaydırma olmadan kestiğinden az değildir</translation>
+    </message>
+    <message>
+        <source>Rings to</source>
+        <translation>Çemberler en çok</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Pay</translation>
+    </message>
+    <message>
+        <source>In stock</source>
+        <translation>Eldekiler</translation>
+    </message>
+    <message>
+        <source>Least η</source>
+        <translation>En az η</translation>
+    </message>
+    <message>
+        <source>%1 turn</source>
+        <translation>%1 döner</translation>
+    </message>
+    <message>
+        <source>%1 with planets that clear each other</source>
+        <translation>%1 gezegenleri birbirine değmez</translation>
+    </message>
+    <message>
+        <source>%1 with equal planets that go in</source>
+        <translation>%1 eş gezegenleri takılabilir</translation>
+    </message>
+    <message>
+        <source>%1 with hunting teeth only</source>
+        <translation>%1 yalnız aralarında asal dişlerle</translation>
+    </message>
+    <message>
+        <source>%1 without undercut</source>
+        <translation>%1 alttan kesmesiz</translation>
+    </message>
+    <message>
+        <source>%1 within the tolerance</source>
+        <translation>%1 tolerans içinde</translation>
+    </message>
+    <message>
+        <source>Draw a train with gear pairs; then say which ratio it should have, and every choice of whole teeth within your limits is tried.</source>
+        <translation>Dişli çiftleri olan bir takım çizin; sonra hangi oranı vermesi gerektiğini söyleyin, sınırlarınız içindeki her tam diş seçimi denenir.</translation>
+    </message>
+    <message>
+        <source>The teeth could not be searched: %1</source>
+        <translation>Diş sayıları aranamadı: %1</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>Aramanın ne kadarının yapıldığı</translation>
+    </message>
+    <message>
+        <source>u: undercut; a profile shift mends it</source>
+        <translation>u: alttan kesme; profil kaydırma giderir</translation>
+    </message>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Sertifikayı kaydet…</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV (Ctrl+C)</source>
+        <translation>Tabloyu CSV olarak kopyala (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV</source>
+        <translation>Tabloyu CSV olarak kaydet</translation>
+    </message>
+    <message>
+        <source>Use these teeth</source>
+        <translation>Bu dişleri kullan</translation>
+    </message>
+    <message>
+        <source>Choices of teeth</source>
+        <translation>Diş seçimleri</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>şimdiye dek %1</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>Aramayı bitir; bulunanlar kalır</translation>
+    </message>
+    <message>
+        <source>The wish cannot be met as it is: see beside its fields.</source>
+        <translation>İstek bu haliyle karşılanamaz: alanlarının yanına bakın.</translation>
+    </message>
+    <message>
+        <source>Type the ratio that you want: every choice of whole teeth is tried.</source>
+        <translation>İstediğiniz oranı yazın: her tam diş seçimi denenir.</translation>
+    </message>
+    <message>
+        <source>All %1 choices tried: complete</source>
+        <translation>%1 seçimin hepsi denendi: eksiksiz</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 choices: not complete</source>
+        <translation>%1 seçimden sonra durduruldu: eksik</translation>
+    </message>
+    <message>
+        <source>Search anew</source>
+        <translation>Yeniden ara</translation>
+    </message>
+    <message>
+        <source>Search from the beginning</source>
+        <translation>Baştan ara</translation>
+    </message>
+    <message>
+        <source>%1 meet the wish</source>
+        <translation>%1 isteği karşılar</translation>
+    </message>
+    <message>
+        <source>the best %1 are shown</source>
+        <translation>en iyi %1 gösteriliyor</translation>
+    </message>
+    <message>
+        <source>%1, off by %2</source>
+        <translation>%1, sapma %2</translation>
+    </message>
+    <message>
+        <source>None. Nearest: %1</source>
+        <translation>Yok. En yakını: %1</translation>
+    </message>
+    <message>
+        <source>No choice of teeth is left: the line above says where they end. Wider limits, or more wheels that may change, give more.</source>
+        <translation>Hiçbir seçim kalmadı: nerede bittiklerini yukarıdaki satır söyler. Daha geniş sınırlar ya da değişebilecek daha çok dişli daha fazlasını verir.</translation>
+    </message>
+    <message>
+        <source>Nothing was found yet.</source>
+        <translation>Henüz bir şey bulunmadı.</translation>
+    </message>
+    <message>
+        <source>Give the train the teeth of the chosen row (Enter); Ctrl+Z undoes it</source>
+        <translation>Takıma seçili satırın dişlerini ver (Enter); Ctrl+Z geri alır</translation>
+    </message>
+    <message>
+        <source>Choose a row first</source>
+        <translation>Önce bir satır seçin</translation>
+    </message>
+    <message>
+        <source>Save what proves that there are no other choices</source>
+        <translation>Başka seçim olmadığını kanıtlayanı kaydet</translation>
+    </message>
+    <message>
+        <source>There is a certificate when all choices have been tried</source>
+        <translation>Bütün seçimler denendiğinde sertifika verilir</translation>
+    </message>
+    <message>
+        <source>Choose teeth</source>
+        <translation>Diş sayılarını seç</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>seçim %1</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>en yakın</translation>
+    </message>
+    <message>
+        <source>Save certificate</source>
+        <translation>Sertifikayı kaydet</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON dosyaları (*.json);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Mesh %1: every tooth meets every other</source>
+        <translation>Dişli çifti %1: her diş ötekilerin hepsiyle karşılaşır</translation>
+    </message>
+    <message>
+        <source>Mesh %1: a tooth meets one in %2 of the others</source>
+        <translation>Dişli çifti %1: bir diş ötekilerin %2 tanede biriyle karşılaşır</translation>
+    </message>
+    <message>
+        <source>%1: a rack undercuts it without a profile shift</source>
+        <translation>%1: profil kaydırma olmadan kremayer alttan keser</translation>
+    </message>
+    <message>
+        <source>hunting</source>
+        <translation>asal dişler</translation>
+    </message>
+    <message>
+        <source>The best first: the smallest error, then the highest efficiency</source>
+        <translation>Önce en iyisi: en küçük hata, sonra en yüksek verim</translation>
+    </message>
+    <message>
+        <source>Teeth of %1</source>
+        <translation>%1 dişleri</translation>
+    </message>
+    <message>
+        <source>The ratio, exactly</source>
+        <translation>Oran, tam olarak</translation>
+    </message>
+    <message>
+        <source>The ratio, rounded to three decimals</source>
+        <translation>Oran, üç basamağa yuvarlanmış</translation>
+    </message>
+    <message>
+        <source>By how much of the wished ratio it is missed; the dot shows where it is within the tolerance</source>
+        <translation>İstenen oranın ne kadarıyla sapıldığı; nokta tolerans içindeki yeri gösterir</translation>
+    </message>
+    <message>
+        <source>How many equal planets go in at equal distances and clear each other</source>
+        <translation>Eşit aralıklarla, birbirine değmeden kaç eş gezegenin takılabildiği</translation>
+    </message>
+    <message>
+        <source>By pair of wheels: a hunting tooth meets all others before it meets one again</source>
+        <translation>Her dişli çifti için: aralarında asal sayılarda bir diş, birine yeniden rastlamadan ötekilerin hepsiyle karşılaşır</translation>
+    </message>
+    <message>
+        <source>Efficiency of the train, of several ratios the smallest</source>
+        <translation>Takımın verimi, birkaç oranda en küçüğü</translation>
+    </message>
+    <message>
+        <source>The same with the power the other way; none: it locks itself</source>
+        <translation>Güç ters yönde akarken aynısı; yok: kendini kilitler</translation>
+    </message>
+    <message>
+        <source>Teeth for &amp;ratios…</source>
+        <translation>O&amp;ranlar için diş sayıları…</translation>
+    </message>
+    <message>
+        <source>Every choice of whole teeth with which this train has the ratios that you want</source>
+        <translation>Bu takımın istediğiniz oranları verdiği her tam diş seçimi</translation>
+    </message>
+    <message>
+        <source>There is no train yet whose teeth could be chosen.</source>
+        <translation>Dişleri seçilebilecek bir takım henüz yok.</translation>
+    </message>
+    <message>
+        <source>The teeth hold the answer: they open when the step is right or shown.</source>
+        <translation>Dişler cevabı içerir: adım doğru olduğunda ya da gösterildiğinde açılırlar.</translation>
+    </message>
+    <message>
+        <source>Levers</source>
+        <translation>Kollar</translation>
+    </message>
+    <message>
+        <source>Each gear set as a lever, its links at their places</source>
+        <translation>Her dişli takımı bir kol olarak, uzuvları yerlerinde</translation>
+    </message>
+    <message>
+        <source>Nomogram</source>
+        <translation>Nomogram</translation>
+    </message>
+    <message>
+        <source>The states of the gearbox as lines across the speeds of its links</source>
+        <translation>Vites kutusunun durumları, uzuvlarının hızları boyunca doğrular olarak</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Düzlem</translation>
+    </message>
+    <message>
+        <source>The plane of the links that is left when the coupling engaged last is let go</source>
+        <translation>En son devreye alınan eleman ayrıldığında kalan uzuv düzlemi</translation>
+    </message>
+    <message>
+        <source>Arrows to the right of the bars: how fast each link turns</source>
+        <translation>Çubukların sağındaki oklar: her uzvun ne kadar hızlı döndüğü</translation>
+    </message>
+    <message>
+        <source>Arrows to the left of the bars: the torques of the links on the lever, which add up to zero</source>
+        <translation>Çubukların solundaki oklar: uzuvların kola uyguladığı, toplamı sıfır olan momentler</translation>
+    </message>
+    <message>
+        <source>With so many inputs no arrow is dragged: set them in Inputs and results</source>
+        <translation>Bu kadar çok girişle ok sürüklenmez: girişler Girişler ve sonuçlar panelinde ayarlanır</translation>
+    </message>
+    <message>
+        <source>Input %1: %2 rad/s. Esc puts back</source>
+        <translation>Giriş %1: %2 rad/s. Esc geri alır</translation>
+    </message>
+    <message>
+        <source>No input turns this link: there is no speed to set</source>
+        <translation>Bu uzvu hiçbir giriş döndürmüyor: ayarlanacak hız yok</translation>
+    </message>
+    <message>
+        <source>Speed of the link, rad/s</source>
+        <translation>Uzvun hızı, rad/s</translation>
+    </message>
+    <message>
+        <source>“%1” is no speed: a number, or one with a unit such as 30 rpm</source>
+        <translation>“%1” bir hız değil: bir sayı ya da 30 rpm gibi birimli bir sayı</translation>
+    </message>
+    <message>
+        <source>%1 for %2: state %3</source>
+        <translation>%2 yerine %1: durum %3</translation>
+    </message>
+    <message>
+        <source>, ratio %1</source>
+        <translation>, oran %1</translation>
+    </message>
+    <message>
+        <source>let go of %1: 1 freedom</source>
+        <translation>%1 ayrılırsa: 1 serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>let go of %1: %2 freedoms</source>
+        <translation>%1 ayrılırsa: %2 serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>hold it (B): it does not turn anyway</source>
+        <translation>tutulursa (B): zaten dönmüyor</translation>
+    </message>
+    <message>
+        <source>hold it (B): nothing turns any more</source>
+        <translation>tutulursa (B): artık hiçbir şey dönmez</translation>
+    </message>
+    <message>
+        <source>hold it (B): 1 freedom</source>
+        <translation>tutulursa (B): 1 serbestlik</translation>
+    </message>
+    <message>
+        <source>hold it (B): %1 freedoms</source>
+        <translation>tutulursa (B): %1 serbestlik</translation>
+    </message>
+    <message>
+        <source>instead</source>
+        <translation>yerine</translation>
+    </message>
+    <message>
+        <source>State %1: nothing engaged</source>
+        <translation>Durum %1: hiçbir şey devrede değil</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Durum %1: %2</translation>
+    </message>
+    <message>
+        <source>The levers hold the answer: they are shown when the step is right or shown.</source>
+        <translation>Kollar yanıtı içeriyor: adım doğru olunca ya da gösterilince görünürler.</translation>
+    </message>
+    <message>
+        <source>The levers are still being laid out. Try again in a moment.</source>
+        <translation>Kollar hâlâ yerleştiriliyor. Birazdan yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow: the train turns with it. Click a point to select its link, B holds it</source>
+        <translation>Bir oku sürükleyin: dişli takımı onunla döner. Bir noktaya tıklamak uzvunu seçer, B onu tutar</translation>
+    </message>
+    <message>
+        <source>Click a line or its tag to engage the state</source>
+        <translation>Bir doğruya ya da etiketine tıklamak durumu devreye alır</translation>
+    </message>
+    <message>
+        <source>Engaging a coupling draws the plane together along its dotted line</source>
+        <translation>Bir elemanı devreye almak düzlemi onun noktalı çizgisi boyunca bir araya getirir</translation>
+    </message>
+    <message>
+        <source>Gear sets as levers: speeds and torques of the links on the ground&apos;s axis</source>
+        <translation>Kol olarak dişli takımları: sabit uzuv ekseni üzerindeki uzuvların hızları ve momentleri</translation>
+    </message>
+    <message>
+        <source>Speeds and torques on levers, the states of a gearbox as a nomogram, and the plane of two freedoms.</source>
+        <translation>Kollar üzerinde hızlar ve momentler, nomogram olarak bir vites kutusunun durumları ve iki serbestliğin düzlemi.</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Uzuvlar %1</translation>
+    </message>
+    <message>
+        <source>Link %1 (%2)</source>
+        <translation>Uzuv %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: held by brake %2</source>
+        <translation>%1: %2 freni tutuyor</translation>
+    </message>
+    <message>
+        <source>, as %1 : %2 teeth</source>
+        <translation>, %1 : %2 diş gibi</translation>
+    </message>
+    <message>
+        <source>an end of the lever, %1 the other</source>
+        <translation>kolun bir ucu, öbür ucu %1</translation>
+    </message>
+    <message>
+        <source>%1 divides %2 to %3 in %4 : %5</source>
+        <translation>%1, %2 ile %3 arasını %4 : %5 böler</translation>
+    </message>
+    <message>
+        <source>: %1 of the speed of %2 and %3 of that of %4</source>
+        <translation>: %2 hızının %1 kadarı ve %4 hızının %3 kadarı</translation>
+    </message>
+    <message>
+        <source>, by these tooth counts only</source>
+        <translation>, yalnızca bu diş sayılarıyla</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>hız</translation>
+    </message>
+    <message>
+        <source>%1 N m on this lever</source>
+        <translation>bu kolda %1 N m</translation>
+    </message>
+    <message>
+        <source>, %1 of the way from %2 to %3</source>
+        <translation>, %2 ile %3 arasındaki yolun %1 kadarında</translation>
+    </message>
+    <message>
+        <source>, an end of the lever</source>
+        <translation>, kolun bir ucu</translation>
+    </message>
+    <message>
+        <source>, %1 rad/s</source>
+        <translation>, %1 rad/s</translation>
+    </message>
+    <message>
+        <source>, %1 N m</source>
+        <translation>, %1 N m</translation>
+    </message>
+    <message>
+        <source>Along a lever, to the next one</source>
+        <translation>Kol boyunca, sonrakine</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Yukarı ve Aşağı, Tab</translation>
+        <source>%1, of your train</source>
+        <translation>%1, sizin dizinizden</translation>
+    </message>
+    <message>
+        <source>%1
+axes: %2
+gear pairs / carrier: %3</source>
+        <translation>%1
+eksenler: %2
+dişli çiftleri / taşıyıcı: %3</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 zincir</translation>
+    </message>
+    <message>
+        <source>one of %1 links that is not in the atlas</source>
+        <translation>atlasta olmayan %1 uzuvlu bir zincir</translation>
+    </message>
+    <message>
+        <source>(cannot turn)</source>
+        <translation>(dönemez)</translation>
+    </message>
+    <message>
+        <source>(turns by these tooth counts only)</source>
+        <translation>(yalnızca bu diş sayılarıyla döner)</translation>
+    </message>
+    <message>
+        <source>in no gear pair: %1</source>
+        <translation>hiçbir dişli çiftinde değil: %1</translation>
+    </message>
+    <message>
+        <source>planets that repeat another: %1</source>
+        <translation>bir başkasını yineleyen planetler: %1</translation>
+    </message>
+    <message>
+        <source>brakes and clutches</source>
+        <translation>frenler ve kavramalar</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Alınmadı: %1</translation>
+    </message>
+    <message>
+        <source>Your train is unfinished: %1</source>
+        <translation>Dişli diziniz tamamlanmamış: %1</translation>
+    </message>
+    <message>
+        <source>Your train has no gear pair yet.</source>
+        <translation>Dizinizde henüz dişli çifti yok.</translation>
+    </message>
+    <message>
+        <source>Your train is %1</source>
+        <translation>Dişli diziniz: %1</translation>
+    </message>
+    <message>
+        <source>Your train is %1 chains: %2</source>
+        <translation>Dişli diziniz %1 zincirden oluşur: %2</translation>
+    </message>
+    <message>
+        <source>Open as document</source>
+        <translation>Belge olarak aç</translation>
+    </message>
+    <message>
+        <source>Show in my train</source>
+        <translation>Dizimde göster</translation>
+    </message>
+    <message>
+        <source>Copy number</source>
+        <translation>Numarayı kopyala</translation>
+    </message>
+    <message>
+        <source>Select the links and gear pairs of your train that are this chain</source>
+        <translation>Dizinizin bu zinciri oluşturan uzuvlarını ve dişli çiftlerini seç</translation>
+    </message>
+    <message>
+        <source>Your train is being identified…</source>
+        <translation>Dişli diziniz tanınıyor…</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs</source>
+        <translation>%1 uzuv, %2 eksen, %3 dişli çifti</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
+        <translation>%1 uzuv, %2 eksen, %3 dişli çifti; bir uzuv tutulunca serbestlik derecesi %4</translation>
+    </message>
+    <message>
+        <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
+        <translation>Dönemez: %1 dişli çifti, biri tutulan %2 uzvun hızları için o kadar koşuldur.</translation>
+    </message>
+    <message>
+        <source>Same equations, other shafts: %1</source>
+        <translation>Aynı denklemler, başka miller: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair less: %1</source>
+        <translation>Bir dişli çifti eksik: %1</translation>
+    </message>
+    <message>
+        <source>One gear pair more: %1</source>
+        <translation>Bir dişli çifti fazla: %1</translation>
+    </message>
+    <message>
+        <source>Digraph of chain %1</source>
+        <translation>%1 zincirinin yönlü çizgesi</translation>
+    </message>
+    <message>
+        <source>With the numbers and colours of your links</source>
+        <translation>Uzuvlarınızın numaraları ve renkleriyle</translation>
+    </message>
+    <message>
+        <source>Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301</source>
+        <translation>Serbestlik derecesi 1 için sayılar: Yang, Ding ve ark., J. Mech. Des. 141(4), 2019, 043301</translation>
+    </message>
+    <message>
+        <source>A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. Chains: with the axes, too (displacement graphs). Left out are chains in which m gear pairs have fewer than m + 2 links between them, so that these turn as one; the smallest of them are the trains that cannot turn.</source>
+        <translation>Zincir; uzuvlar, eksenler ve dişli çiftleridir, her çift iki dişliyi taşıyan uzuvla birlikte. Hangi uzvun tutulduğu, dişler, dişli türleri ve eş eksenli uzuvların hangi mafsallarla çizildiği önemli değildir. Denklemler: yalnızca dişli, dişli, taşıyıcı üçlüleri (dönme çizgeleri), yani hızların denklemleri. Zincirler: eksenlerle birlikte (yer değiştirme çizgeleri). m dişli çiftinin aralarında m + 2&apos;den az uzuv olan ve bu yüzden tek parça gibi dönen zincirler alınmamıştır; bunların en küçükleri dönemeyen dizilerdir.</translation>
+    </message>
+    <message>
+        <source>Freedom, one link held</source>
+        <translation>Serbestlik, bir uzuv tutulu</translation>
+    </message>
+    <message>
+        <source>No link parts the chain in two, and every link is in a gear pair</source>
+        <translation>Hiçbir uzuv zinciri ikiye bölmez ve her uzuv bir dişli çiftindedir</translation>
+    </message>
+    <message>
+        <source>Chains with the same equations of speeds differ in their shafts only</source>
+        <translation>Hız denklemleri aynı olan zincirler yalnızca millerinde ayrılır</translation>
+    </message>
+    <message>
+        <source>Trains that cannot turn, and why</source>
+        <translation>Dönemeyen diziler ve nedeni</translation>
+    </message>
+    <message>
+        <source>Number, as 6-1.5</source>
+        <translation>Numara, örn. 6-1.5</translation>
+    </message>
+    <message>
+        <source>What is counted?</source>
+        <translation>Ne sayılıyor?</translation>
+    </message>
+    <message>
+        <source>Chains with 1 freedom</source>
+        <translation>Serbestlik derecesi 1 olan zincirler</translation>
+    </message>
+    <message>
+        <source>nonfractionated (%1)</source>
+        <translation>bölünemeyen (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; %3 equations</source>
+        <translation>%2 zincirden %1; %3 denklem</translation>
+    </message>
+    <message>
+        <source>equations of %1 only</source>
+        <translation>yalnızca %1 denklemleri</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them your train is. Arrow keys walk, Enter opens one as a document, / finds a number.</source>
+        <translation>7 uzva kadar tüm dişli kinematik zincirler ve dizinizin hangisi olduğu. Ok tuşları gezdirir, Enter belge olarak açar, / numara bulur.</translation>
+    </message>
+    <message>
+        <source>Geared kinematic chains, filtered and counted, and which your train is.</source>
+        <translation>Süzülmüş ve sayılmış dişli kinematik zincirler ve dizinizin hangisi olduğu.</translation>
+    </message>
+    <message>
+        <source>Atlas of &amp;chains</source>
+        <translation>&amp;Zincir atlası</translation>
+    </message>
+    <message>
+        <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
+        <translation>7 uzva kadar tüm dişli kinematik zincirler ve bu dizinin hangisi olduğu</translation>
+    </message>
+    <message>
+        <source>New document</source>
+        <translation>Yeni belge</translation>
+    </message>
+    <message>
+        <source>Chains</source>
+        <translation>Zincirler</translation>
+    </message>
+    <message>
+        <source>Number of a chain</source>
+        <translation>Bir zincirin numarası</translation>
     </message>
 </context>
 <context>
@@ -16610,8 +17404,8 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Ders kitaplarındaki gibi kesit olarak mekanizma. Burada da çizilebilir.</translation>
     </message>
     <message>
-        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
-        <translation>Üç biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>Dört biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
     </message>
     <message>
         <source>Tools for drawing, undo and redo, the motion, and the search field.</source>

@@ -60,9 +60,9 @@ class TestExportRegistry : public QObject {
  private slots:
   void theHelpListsEveryExporterAndOption() {
     const QByteArray help = ran({"export", "--help"}).output;
-    const qsizetype begin = help.indexOf("--to FORM");
+    const qsizetype begin = help.indexOf("\n  --to FORM") + 1;
     QByteArrayList listed;
-    for (const QByteArray& group : help.mid(begin, help.indexOf('\n', begin) - begin).mid(26).split(';')) {
+    for (const QByteArray& group : help.mid(begin, help.indexOf('\n', begin) - begin).mid(28).split(';')) {
       for (QByteArray& form : group.left(group.lastIndexOf(':')).split(',')) {
         form = form.trimmed();
         listed << (form.endsWith(" with --view") ? form.chopped(12) : form);

@@ -40,8 +40,9 @@ export const start = async (name, {isFlat = false, ...more} = {}) => {
 
 export const temporaryFolder = () => fs.mkdtempSync(path.join(os.tmpdir(), 'geargraph-browser-'));
 
-// A page with what it complained of: errors, refusals of its policy, requests.
-export const opened = async (browser, address, size) => {
+// A page with what it complained of: errors, refusals of its policy, requests. What exercises ask for is covered until its
+// button is clicked; `covered`: it stays so.
+export const opened = async (browser, address, size, {covered = false} = {}) => {
   const page = await browser.newPage();
   page.setDefaultTimeout(LONGEST);
   const complaints = [];
@@ -50,6 +51,7 @@ export const opened = async (browser, address, size) => {
   page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(request.url()); });
   await page.setViewport(size);
   await page.goto(address);
+  if (!covered) await page.evaluate(() => { for (const button of document.querySelectorAll('.reveal')) button.click(); });
   return {page, complaints};
 };
 // Elements of MathML with another number of children than they must have.

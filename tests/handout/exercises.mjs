@@ -17,10 +17,10 @@ after(async () => {
 });
 
 const live = page => page.waitForSelector('#exercises.live');
-const open = async (example, {size = DESK, theme = 'light', words = []} = {}) => {
+const open = async (example, {size = DESK, theme = 'light', words = [], covered = false} = {}) => {
   // Pages from disk share what a browser keeps: each has one of its own.
   const context = await browser.createBrowserContext();
-  const page = await opened(context, handout(example, '--exercises', ...words), size);
+  const page = await opened(context, handout(example, '--exercises', ...words), size, {covered});
   await live(page.page);
   await page.page.evaluate(each => { document.documentElement.dataset.theme = each; }, theme);
   return page;
@@ -79,6 +79,19 @@ test('a page in another language asks, grades and prints in it', async () => {
   await page.evaluate(() => [...document.querySelectorAll('.question.here .controls button')].find(button => button.textContent === 'Pr\u00fcfen').click());
   assert.match(await page.$eval('.question.here .verdict', node => node.textContent), /Die Frage ist nicht beantwortet\./);
   await closed(each);
+});
+
+test('what the exercises ask for is covered until somebody wants it', async () => {
+  const each = await open('robot', {covered: true});
+  const seen = () => each.page.evaluate(() => ['#matrices td', '#derivation .equation', '#solution td', '.input input', '.question']
+    .map(place => [...document.querySelectorAll(place)].some(node => node.getClientRects().length > 0)));
+  assert.deepEqual(await seen(), [false, false, false, true, true]);
+  await each.page.click('#matrices .reveal');
+  assert.deepEqual(await seen(), [true, false, false, true, true]);
+  await each.page.click('#solution .reveal');
+  assert.deepEqual(await seen(), [true, false, true, true, true]);
+  await closed(each);
+  await each.page.browserContext().close();
 });
 
 // How the three-dimensional train of each is opened, browser.mjs sees.

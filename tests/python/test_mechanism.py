@@ -1,6 +1,7 @@
 """Mechanisms: edits, files, names of elements."""
 
 import copy
+import json
 import pickle
 from decimal import Decimal
 from fractions import Fraction
@@ -237,3 +238,19 @@ def test_values_are_read_only(robot):
     robot.set_inputs({8: 3})
     assert a.joint_speeds == speeds
     assert robot.analyze() is not a
+
+
+def test_sharing_and_the_torque_at_the_drive_are_part_of_the_document(robot):
+    robot.set_sharing("stiffness")
+    robot.set_drive_torque("25/2")
+    document = json.loads(robot.to_text())
+    assert document["sharing"] == "stiffness"
+    assert document["driveTorque"] == "25/2"
+    robot.set_sharing(None)
+    robot.set_drive_torque(None)
+    document = json.loads(robot.to_text())
+    assert "sharing" not in document and "driveTorque" not in document
+    with pytest.raises(ValueError, match="stiffness"):
+        robot.set_sharing("equal")
+    with pytest.raises(gg.Error):
+        robot.set_drive_torque("1e30")

@@ -14,7 +14,7 @@ namespace {
 const std::string kMaxList = std::to_string(kMaxListLength);
 const std::string kMaxName = std::to_string(kMaxNameLength);
 
-std::string quoted(std::string_view text) {
+std::string jsonText(std::string_view text) {
   std::string json = "\"";
   for (const char c : text) {
     if (c == '`') continue;  // of Markdown
@@ -68,7 +68,7 @@ std::string measureType(const MemberInfo& info) {
 template <class Value, std::size_t count>
 std::string choice(const std::array<Value, count>& values, std::string_view (*name)(Value)) {
   std::string names;
-  for (const Value value : values) names += (names.empty() ? "" : ", ") + quoted(name(value));
+  for (const Value value : values) names += (names.empty() ? "" : ", ") + jsonText(name(value));
   return "\"enum\": [" + names + "]";
 }
 
@@ -141,7 +141,7 @@ std::string property(DocumentPart part, const MemberInfo& info) {
   std::string text = std::string(info.meaning);
   if (!unitOf(info.measure).empty()) text += " (" + std::string(unitOf(info.measure)) + ")";
   if (!info.fallback.empty()) text += ". Without it: " + std::string(info.fallback);
-  return quoted(info.name) + ": {" + typeOf(part, info) + ", \"description\": " + quoted(text) + "}";
+  return jsonText(info.name) + ": {" + typeOf(part, info) + ", \"description\": " + jsonText(text) + "}";
 }
 
 std::string propertyOf(DocumentPart part, std::string_view name) {
@@ -152,7 +152,7 @@ std::string propertyOf(DocumentPart part, std::string_view name) {
 
 std::string namesOf(const std::vector<std::string_view>& names) {
   std::string all;
-  for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + quoted(name);
+  for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + jsonText(name);
   return "[" + all + "]";
 }
 
@@ -239,7 +239,7 @@ std::string objectText(DocumentPart part, const std::string& indent) {
       for (const auto& names : {form.needed, form.optional}) {
         if (std::find(names.begin(), names.end(), name) != names.end()) return true;
       }
-      if (form.constant.starts_with(quoted(name))) return true;
+      if (form.constant.starts_with(jsonText(name))) return true;
     }
     return false;
   };
@@ -347,7 +347,7 @@ std::string documentSchema() {
                      ",\n  \"$defs\": {\n" + kValueTypes;
   for (const DocumentPart part : documentParts()) {
     if (part == DocumentPart::document) continue;
-    text += ",\n    " + quoted(definitionName(part)) + ": {\n" + objectText(part, "      ") + "\n    }";
+    text += ",\n    " + jsonText(definitionName(part)) + ": {\n" + objectText(part, "      ") + "\n    }";
   }
   return text + "\n  }\n}\n";
 }

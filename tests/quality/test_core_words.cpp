@@ -51,7 +51,7 @@ bool speaks(QString text) {
 bool isMarked(const QString& source, qsizetype literal) {
   // Words to search with are English in every language, beside the text that is found by its own words.
   static const QRegularExpression kMark(
-      R"re((?:^|[^A-Za-z0-9_])(?:(?:translated|toTranslate|tr|words)\(|(?:translate|QT_TRANSLATE_NOOP)\(\s*"\w+",)\s*$|\.searchWords =[^";]*$)re");
+      R"re((?:^|[^A-Za-z0-9_])(?:(?:translated|toTranslate|tr|words)\(|(?:translate|QT_TRANSLATE_NOOP)\(\s*"\w+",)\s*$|\.searchWords =[^\x22;]*$)re");
   return kMark.match(source.mid(std::max<qsizetype>(literal - 200, 0), std::min<qsizetype>(literal, 200)))
       .hasMatch();
 }

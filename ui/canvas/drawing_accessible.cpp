@@ -70,7 +70,8 @@ class ElementAccessible final : public QAccessibleInterface, public QAccessibleA
   ElementId m_element;
 };
 
-/// A drawing, whose children are its elements, and what is open over it, as the editor of a name.
+/// A drawing, whose children are its elements, the row above it where it has one, and what is open over it,
+/// as the editor of a name.
 class DrawingAccessible final : public QAccessibleWidget {
  public:
   explicit DrawingAccessible(DrawingView* view) : QAccessibleWidget(view, QAccessible::Canvas), m_view(view) {
@@ -126,7 +127,9 @@ class DrawingAccessible final : public QAccessibleWidget {
     return m_elements;
   }
   [[nodiscard]] QWidgetList editors() const {
-    QWidgetList open = m_view->viewport()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    QWidgetList open =
+        m_view->findChildren<QWidget*>(QStringLiteral("drawingBar"), Qt::FindDirectChildrenOnly);
+    open += m_view->viewport()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
     open.removeIf([](const QWidget* each) { return each->isHidden(); });
     return open;
   }

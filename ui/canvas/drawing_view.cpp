@@ -191,7 +191,8 @@ void DrawingView::drawMessage(QPainter& painter, const QString& text) const {
   painter.setFont(font);
   painter.setPen(toQColor(colorOf(ColorRole::secondary, theme())));
   const QRect whole = viewport()->rect();
-  painter.drawText(whole.adjusted(0, whole.height() / 2 + 60, 0, 0), Qt::AlignHCenter | Qt::AlignTop, text);
+  painter.drawText(whole.adjusted(24, whole.height() / 2 + 60, -24, 0),
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, text);
 }
 
 QFont DrawingView::lineFont() const {

@@ -16,7 +16,7 @@ struct Entry {
 
 constexpr Entry kEntries[] = {
     {"drawings", "drawing",
-     QT_TRANSLATE_NOOP("HelpPages", "The mechanism drawn in three ways; a click on a tab chooses one.")},
+     QT_TRANSLATE_NOOP("HelpPages", "The mechanism drawn in four ways; a click on a tab chooses one.")},
     {"toolBar", "drawing#tools",
      QT_TRANSLATE_NOOP("HelpPages", "Tools for drawing, undo and redo, the motion, and the search field.")},
     {"noticeBar", "the-window#windows-and-files",

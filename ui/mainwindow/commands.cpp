@@ -314,6 +314,23 @@ std::vector<Command> commandsOfMechanism() {
            words("A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist"),
        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+I"))},
        .searchWords = "planetary epicyclic differential sun ring carrier reverted wizard template"},
+      {.id = CommandId::findTeeth,
+       .name = "mechanism.findTeeth",
+       .text = words("Teeth for &ratios…"),
+       .tip = words("Every choice of whole teeth with which this train has the ratios that you want"),
+       .searchWords = "ratio teeth tooth counts number wanted synthesis find hunting certificate",
+       .whyNot =
+           [](const CommandState& now) {
+             if (!now.hasLinks) return words("There is no train yet whose teeth could be chosen.");
+             return now.areAnswersOpen
+                        ? QString()
+                        : words("The teeth hold the answer: they open when the step is right or shown.");
+           }},
+      {.id = CommandId::atlas,
+       .name = "mechanism.atlas",
+       .text = words("Atlas of &chains"),
+       .tip = words("All geared kinematic chains up to 7 links, and which of them this train is"),
+       .searchWords = "identify isomorphism chain number enumerate gallery cannot turn degenerate"},
       {.id = CommandId::designGearbox,
        .name = "mechanism.designGearbox",
        .text = words("Gearbox desi&gner…"),

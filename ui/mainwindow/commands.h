@@ -45,6 +45,8 @@ enum class CommandId {
   load,
   releaseAll,
   insertSet,
+  findTeeth,
+  atlas,
   designGearbox,
   tidy,
   fit,

@@ -177,6 +177,8 @@ void MainWindow::makeViews() {
           [this](const ResultsView* view) { m_docks->reveal(*view); });
   connect(m_views, &Views::rejected, m_status, &StatusLine::showRejection);
   connect(m_views, &Views::menuWanted, this, &MainWindow::popUpMenuFor);
+  connect(m_views, &Views::documentWanted, this,
+          [this](const MechanismPtr& mechanism) { m_files->showMade(mechanism); });
   makeDrawings();
   for (const ViewEntry& entry : viewTable()) {
     if (entry.place == ViewPlace::drawings) {
@@ -199,13 +201,18 @@ void MainWindow::makeDrawings() {
 }
 
 void MainWindow::addDrawing(const ViewEntry& entry) {
-  auto* drawing = dynamic_cast<DrawingView*>(&m_views->make(entry, m_drawings));
-  GEARGRAPH_REQUIRE(drawing != nullptr);
-  drawing->setObjectName(entry.id);
-  drawing->setProperty(kHelpPage, entry.helpPage);
-  drawing->setProperty(kPurpose, entry.purpose);
-  const int tab = m_drawings->addTab(drawing, entry.title);
+  ResultsView& view = m_views->make(entry, m_drawings);
+  view.widget().setObjectName(entry.id);
+  view.widget().setProperty(kHelpPage, entry.helpPage);
+  view.widget().setProperty(kPurpose, entry.purpose);
+  const int tab = m_drawings->addTab(&view.widget(), entry.title);
   m_drawings->setTabToolTip(tab, entry.tip);
+  auto* drawing = dynamic_cast<DrawingView*>(&view);
+  if (drawing == nullptr) {
+    connect(m_drawings, &QTabWidget::currentChanged, &view.widget(),
+            [this, &view] { view.setAwake(m_drawings->currentWidget() == &view.widget()); });
+    return;
+  }
   m_allDrawings.push_back(drawing);
   // Files are dropped on the window; a drawing would swallow them.
   drawing->setAcceptDrops(false);
@@ -214,22 +221,28 @@ void MainWindow::addDrawing(const ViewEntry& entry) {
 }
 
 bool MainWindow::showDrawing(const QString& name) {
-  for (DrawingView* each : m_allDrawings) {
-    if (each->objectName() != name) continue;
-    m_drawings->setCurrentWidget(each);
+  for (int tab = 0; tab < m_drawings->count(); ++tab) {
+    if (m_drawings->widget(tab)->objectName() != name) continue;
+    m_drawings->setCurrentIndex(tab);
     return true;
   }
   return false;
 }
 
 DrawingView& MainWindow::drawing() {
-  return *m_allDrawings[static_cast<std::size_t>(m_drawings->currentIndex())];
+  if (auto* front = qobject_cast<DrawingView*>(m_drawings->currentWidget())) m_drawing = front;
+  return *m_drawing;
+}
+
+QString MainWindow::drawingHint() {
+  const bool isDrawing = m_drawings->currentWidget() == &drawing();
+  return isDrawing ? drawing().hint() : m_drawings->tabToolTip(m_drawings->currentIndex());
 }
 
 /// The tool that is picked stays picked, whatever drawing comes to the front.
 void MainWindow::onDrawingChosen() {
   drawing().setTool(static_cast<ToolKind>(m_actions->tools->checkedAction()->data().toInt()));
-  m_status->setHint(drawing().hint());
+  m_status->setHint(drawingHint());
 }
 
 void MainWindow::makeCommands() {
@@ -324,7 +337,7 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
           [this, drawing](QMenu* menu, const std::optional<ElementId>& element) {
             if (element) {
               return showPreviews(*menu, *m_workbench, [this](const QString& hint) {
-                m_status->setHint(hint.isEmpty() ? this->drawing().hint() : hint);
+                m_status->setHint(hint.isEmpty() ? drawingHint() : hint);
               });
             }
             menu->addSeparator();

@@ -94,9 +94,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ViewDocks& docks() { return *m_docks; }
   [[nodiscard]] DigraphView& digraph() const;
   [[nodiscard]] TtGraphView& ttGraph() const;
-  /// The drawing in front, to which commands and tools apply.
+  /// The drawing in front, to which commands and tools apply; behind a tab that is no drawing, the last one.
   [[nodiscard]] DrawingView& drawing();
-  /// Brings a drawing to the front by name: "digraph", "ttgraph". False if there is no such drawing.
+  /// Brings a tab to the front by name: "digraph", "ttgraph", "atlas". False if there is no such tab.
   bool showDrawing(const QString& name);
   [[nodiscard]] View3D& view3d() const;
   [[nodiscard]] MatricesPanel& matrices() const;
@@ -177,6 +177,8 @@ class MainWindow : public QMainWindow {
   void makeDrawings();
   void addDrawing(const ViewEntry& entry);
   void onDrawingChosen();
+  /// What can be done in the tab in front.
+  [[nodiscard]] QString drawingHint();
   void makeViews();
   void makeCommands();
   void makeHelp();
@@ -204,6 +206,7 @@ class MainWindow : public QMainWindow {
   void renewCommands();
   void renewTitle();
   void showInsertSet();
+  void showAtlas();
   void showDesigner();
   void showElement(const ElementId& element);
   void chooseTheme(const std::optional<Theme>& theme);
@@ -239,7 +242,8 @@ class MainWindow : public QMainWindow {
 
   Views* m_views;
   ViewDocks* m_docks = nullptr;
-  QTabWidget* m_drawings = nullptr;        ///< of DrawingViews
+  QTabWidget* m_drawings = nullptr;        ///< of DrawingViews, and of other views as large as those
+  DrawingView* m_drawing = nullptr;        ///< the last that was in front
   InsertSetDialog* m_insertSet = nullptr;  ///< created on first use
   StatusLine* m_status = nullptr;
   NoticeBar* m_notices = nullptr;

@@ -16,15 +16,19 @@ RenumberingNotice::RenumberingNotice(Document* document, Selection* selection, S
       m_status(status),
       m_before(document->mechanism()) {
   connect(document, &Document::changed, this, &RenumberingNotice::onChanged);
+  connect(document, &Document::replaced, this, [this] {  // another document: no element of it is the same
+    if (!std::exchange(m_isShown, false)) return;
+    m_status->clearRejection();
+    m_selection->unhover();
+  });
 }
 
 void RenumberingNotice::onChanged() {
   constexpr int kMaxNamed = 4;
   const MechanismPtr before = std::exchange(m_before, m_document->mechanism());
-  // Another document shares no step with the one before it.
-  if (m_document->undoStack().count() == 0) return;
   const std::vector<Renumbered> moved = renumberedByRemoval(*before, *m_before);
-  if (moved.empty()) return;
+  m_isShown = !moved.empty();
+  if (!m_isShown) return;
   QStringList names;
   std::set<ElementId> elements;
   for (const Renumbered& each : moved) {

@@ -25,6 +25,7 @@ class RenumberingNotice : public QObject {
   Selection* m_selection;
   StatusLine* m_status;
   MechanismPtr m_before;
+  bool m_isShown = false;
 };
 
 }  // namespace geargraph::inline mainwindow

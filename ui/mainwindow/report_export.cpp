@@ -11,6 +11,7 @@
 #include "core/presentation/results/handout_train.h"
 #include "core/presentation/results/scorm_package.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
@@ -73,6 +74,7 @@ std::optional<ReportLists> WindowExports::shownLists() {
     if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
     if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
+    if (each->objectName() == QLatin1String("levers")) continue;  // no part of it
     const QString why = each->whyNoPicture();
     if (why.isEmpty()) continue;
     emit rejected(why);

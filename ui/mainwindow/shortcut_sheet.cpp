@@ -70,6 +70,7 @@ std::vector<Group> groupsOf(const QMenuBar& menus) {
                      {tr("Rename a link, change a note"), tr("Double click")},
                      {tr("Next, last element; besides"), tr("Page down, up; with Shift")},
                      {tr("The nearest element that way"), tr("Ctrl and arrow key")},
+                     {tr("Along a lever, to the next one"), tr("Up and Down, Tab")},
                      {tr("As a click on the element"), tr("Return")},
                      {tr("Give up, deselect, back to Select"), tr("Esc")}}});
   groups.push_back({tr("In the 3D view"),

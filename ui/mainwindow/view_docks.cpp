@@ -111,14 +111,17 @@ void ViewDocks::place(const Panel& panel, QDockWidget* before) {
 void ViewDocks::reset() {
   {
     const LayoutPause pause(m_window);
+    // Those that a lesson keeps closed, and those that it has opened, stay so.
+    std::vector<QDockWidget*> shown;
     for (const Panel& each : m_panels) {
+      if (each.action->isEnabled() || !each.dock->isHidden()) shown.push_back(each.dock);
       if (each.dock->isFloating()) each.dock->setFloating(false);  // hides and shows it, floating or not
       m_window->removeDockWidget(each.dock);
     }
     std::map<ViewPlace, QDockWidget*> last;
     for (const Panel& each : m_panels) place(each, std::exchange(last[each.entry.place], each.dock));
-    // Those that a lesson keeps closed stay so.
-    for (const Panel& each : m_panels) each.dock->setVisible(each.action->isEnabled());
+    for (const Panel& each : m_panels)
+      each.dock->setVisible(std::find(shown.begin(), shown.end(), each.dock) != shown.end());
   }
   QDockWidget* const bottom = firstAt(ViewPlace::bottom);
   QDockWidget* const top = firstAt(ViewPlace::top);

@@ -1,5 +1,6 @@
 #include "ui/mainwindow/view_table.h"
 
+#include "ui/atlas/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
@@ -7,11 +8,13 @@
 #include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/inputs/inputs_and_results.h"
+#include "ui/levers/levers_view.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/schematic/schematic_view.h"
+#include "ui/teeth/teeth_panel.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
@@ -19,9 +22,9 @@ namespace geargraph::inline mainwindow {
 
 std::vector<ViewEntry> viewTable() {
   return {
-      digraphView(),    ttGraphView(), schematicView(), matricesView(),   problemsView(),
-      view3dView(),     inputsView(),  gearboxView(),   propertiesView(), speedsView(),
-      derivationView(), forcesView(),  dynamicsView(),  designerView(),
+      digraphView(), ttGraphView(),  schematicView(), leversView(),     matricesView(), problemsView(),
+      view3dView(),  inputsView(),   gearboxView(),   propertiesView(), speedsView(),   derivationView(),
+      forcesView(),  dynamicsView(), teethView(),     atlasView(),      designerView(),
   };
 }
 

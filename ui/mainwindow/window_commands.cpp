@@ -13,6 +13,7 @@
 
 #include "core/mechanism/model/edits.h"
 #include "core/presentation/report/report.h"
+#include "ui/atlas/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/designer/designer_panel.h"
@@ -43,6 +44,7 @@
 #include "ui/printing/print_dialog.h"
 #include "ui/search/search_field.h"
 #include "ui/settings/settings.h"
+#include "ui/teeth/teeth_panel.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -110,7 +112,7 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
   mechanism->addSeparator();
-  mechanism->addActions(a.of({insertSet, designGearbox}));
+  mechanism->addActions(a.of({insertSet, findTeeth, designGearbox, atlas}));
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
   for (QAction* count : a.planets) planets->addAction(count);
   mechanism->addSeparator();
@@ -158,11 +160,14 @@ void MainWindow::wireActions() {
   connect(a[paste], &QAction::triggered, m_commands, &EditCommands::paste);
   connect(a[duplicate], &QAction::triggered, m_commands, &EditCommands::duplicate);
   connect(a[remove], &QAction::triggered, this, [this] { drawing().deleteSelected(); });
-  connect(a[rename], &QAction::triggered, this, [this] { drawing().renameSelected(); });
+  connect(a[rename], &QAction::triggered, this, [this] {
+    showDrawing(drawing().objectName());
+    drawing().renameSelected();
+  });
   connect(a[selectAll], &QAction::triggered, this, [this] { drawing().selectAll(); });
   connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
     const auto kind = static_cast<ToolKind>(tool->data().toInt());
-    if (kind == ToolKind::note) showDrawing(digraph().objectName());
+    showDrawing(kind == ToolKind::note ? digraph().objectName() : drawing().objectName());
     drawing().setTool(kind);
     drawing().setFocus();
     if (kind == ToolKind::load) drawing().editLoad();
@@ -175,6 +180,12 @@ void MainWindow::wireActions() {
   connect(a[tidy], &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a[makeGround], &QAction::triggered, m_commands, &EditCommands::makeGround);
   connect(a[insertSet], &QAction::triggered, this, &MainWindow::showInsertSet);
+  connect(a[findTeeth], &QAction::triggered, this, [this] {
+    auto& panel = m_views->get<TeethPanel>();
+    m_docks->reveal(panel);
+    panel.askForRatio();
+  });
+  connect(a[atlas], &QAction::triggered, this, &MainWindow::showAtlas);
   connect(a[designGearbox], &QAction::triggered, this, &MainWindow::showDesigner);
   connect(&m_views->get<DesignerPanel>(), &DesignerPanel::openWanted, m_files.get(), &WindowFiles::openMade);
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
@@ -344,6 +355,13 @@ void MainWindow::showInsertSet() {
   m_insertSet->activateWindow();
 }
 
+void MainWindow::showAtlas() {
+  m_start->dismiss(&drawing());
+  ResultsView& atlas = m_views->get<AtlasPanel>();
+  showDrawing(atlas.widget().objectName());
+  atlas.widget().setFocus();
+}
+
 /// Wish, list and card want room beside each other: from a small panel they come out into a window of their
 /// own.
 void MainWindow::showDesigner() {
@@ -365,9 +383,8 @@ void MainWindow::showDesigner() {
 
 void MainWindow::askForPicture() {
   std::vector<std::pair<QString, QString>> views;
-  for (int i = 0; i < m_drawings->count(); ++i) {
-    views.emplace_back(m_drawings->widget(i)->objectName(), m_drawings->tabText(i));
-  }
+  for (DrawingView* each : m_allDrawings)
+    views.emplace_back(each->objectName(), m_drawings->tabText(m_drawings->indexOf(each)));
   views.emplace_back(QStringLiteral("3d"), tr("3D"));
   auto* dialog = new PictureDialog(views, isView3DInFocus() ? QStringLiteral("3d") : drawing().objectName(),
                                    drawing().theme() == Theme::dark, this);
@@ -393,12 +410,13 @@ void MainWindow::showPrintDialog() {
 /// long as one may wait for.
 void MainWindow::drawForPrint(PrintSource source, const MechanismPtr& mechanism, int next) {
   if (m_document->mechanism() != mechanism) return showPrintDialog();  // edited meanwhile
-  if (next == m_drawings->count()) return openPrintDialog(std::move(source));
-  DrawingView* each = m_allDrawings[static_cast<std::size_t>(next)];
+  const auto index = static_cast<std::size_t>(next);
+  if (index == m_allDrawings.size()) return openPrintDialog(std::move(source));
+  DrawingView* each = m_allDrawings[index];
   std::function<DisplayList()> draw = each->pictureMaker();
   if (each->whyNoPicture().isEmpty()) {
     if (each == &drawing()) source.inFront = source.drawings.size();
-    source.drawings.push_back({m_drawings->tabText(next), std::move(draw)});
+    source.drawings.push_back({m_drawings->tabText(m_drawings->indexOf(each)), std::move(draw)});
   }
   QTimer::singleShot(0, this, [this, source = std::move(source), mechanism, next]() mutable {
     drawForPrint(std::move(source), mechanism, next + 1);

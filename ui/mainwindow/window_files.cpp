@@ -93,6 +93,13 @@ void WindowFiles::import(Mechanism mechanism, const QString& table) {
   emit noted(tr("%1 was imported. Save writes a document of its own.").arg(name));
 }
 
+void WindowFiles::showMade(const MechanismPtr& mechanism) {
+  if (m_windows == nullptr) return emit rejected(tr("This window is not connected to others."));
+  WindowFiles& files = m_windows->addWindow();
+  files.startAnew();
+  files.m_document->apply(takingOver(tr("New document"), mechanism));
+}
+
 void WindowFiles::startAnew() {
   m_selection->clear();
   m_example.clear();

@@ -73,6 +73,8 @@ class WindowFiles : public QObject {
   /// Shows a document that was read from `path`. One that was imported from a table gets no file: it is an
   /// edit of an empty document.
   void show(Mechanism mechanism, const QString& path);
+  /// Shows a document that the program has made in a new window: an edit of an empty document without a file.
+  void showMade(const MechanismPtr& mechanism);
   /// Reports why a file was not opened.
   void reportUnreadable(const QString& path, const Diagnostics& why);
   /// False if the file was not written; then a notice, ahead of all others, gives the reason, and the

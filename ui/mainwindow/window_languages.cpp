@@ -35,7 +35,7 @@ std::unique_ptr<MainWindow> MainWindow::inPlaceOf(MainWindow& former) {
   const QByteArray geometry = former.saveGeometry();
   const QByteArray state = former.saveState();
   const QPoint place = former.pos();
-  const QString drawing = former.drawing().objectName();
+  const QString drawing = former.m_drawings->currentWidget()->objectName();
   const int tool = former.m_actions->tools->checkedAction()->data().toInt();
   const Playback& motion = former.view3d().playback();
   const double time = motion.time();

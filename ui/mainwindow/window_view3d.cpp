@@ -37,7 +37,7 @@ Camera cameraOf(const ViewCamera& camera) {
 void MainWindow::wireView3DCommands() {
   wireAxisDrag();
   connect(&view3d(), &View3D::hintChanged, this,
-          [this](const QString& hint) { m_status->setHint(hint.isEmpty() ? drawing().hint() : hint); });
+          [this](const QString& hint) { m_status->setHint(hint.isEmpty() ? drawingHint() : hint); });
   connect(&view3d(), &View3D::noteMade, m_status, &StatusLine::showNote);
   connect(&view3d(), &View3D::traceFileWanted, m_exports, &WindowExports::chooseAndSaveTrace);
   connect(&motion(), &MotionPanel::fileWanted, m_exports, &WindowExports::chooseAndSaveSpeeds);
@@ -54,7 +54,7 @@ void MainWindow::wireView3DCommands() {
         MenuPreview::of(*menu).add((*m_actions)[CommandId::hold],
                                    toggleBrakeEdit(*m_document->mechanism(), LinkId(element->id)));
         showPreviews(*menu, *m_workbench, [this](const QString& hint) {
-          m_status->setHint(hint.isEmpty() ? drawing().hint() : hint);
+          m_status->setHint(hint.isEmpty() ? drawingHint() : hint);
         });
         const CarryingJoint carrying = carryingJoint(*m_document->mechanism(), LinkId(element->id));
         QAction* axis =
@@ -89,7 +89,7 @@ void MainWindow::wireAxisDrag() {
   connect(&view3d(), &View3D::axisNudged, drag,
           [drag, axisOf](const AxisPull& pull) { drag->nudge(axisOf(pull.element), pull.way); });
   connect(drag, &AxisDrag::hintChanged, m_status, &StatusLine::setHint);
-  connect(drag, &AxisDrag::ended, this, [this] { m_status->setHint(drawing().hint()); });
+  connect(drag, &AxisDrag::ended, this, [this] { m_status->setHint(drawingHint()); });
 }
 
 /// Another document: what was chosen for the last one goes, and the camera is its own.

@@ -76,6 +76,8 @@ class Views final : public QObject {
   void momentWanted(double time);
   /// A table as CSV is to be saved, with a name for its file.
   void tableExportWanted(const QString& name, const QString& csv);
+  /// A document that the program has made is to be shown in a window of its own.
+  void documentWanted(const geargraph::MechanismPtr& mechanism);
   /// Something was not possible: why, as a sentence.
   void rejected(const QString& why);
 

@@ -240,6 +240,15 @@ void addLoadEdits(py::class_<Document>& document) {
              }
              return edited(withBalances(self.mechanism(), std::move(balances)));
            })
+      .def("with_sharing",
+           [](const Document& self, bool isByStiffness) {
+             return edited(withSharing(self.mechanism(),
+                                       isByStiffness ? std::optional(LoadSharing::stiffness) : std::nullopt));
+           })
+      .def("with_drive_torque",
+           [](const Document& self, const std::optional<NumberText>& torque) {
+             return edited(withDriveTorque(self.mechanism(), numberFrom(torque)));
+           })
       .def("with_losses",
            [](const Document& self, const OptionalText& mesh, const std::optional<NumberText>& efficiency,
               const std::optional<NumberText>& friction) {

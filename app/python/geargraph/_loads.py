@@ -172,6 +172,38 @@ class LoadEdits:
             optional_text(friction),
         )
 
+    def set_sharing(self, sharing: Optional[str]) -> None:
+        """Set how loads are shared where the balances leave that open.
+
+        Parameters
+        ----------
+        sharing : "stiffness" or None
+            By equal stiffness of the teeth; or open, and by stiffness only where losses need it.
+
+        Raises
+        ------
+        ValueError
+            For another word.
+        """
+        if sharing not in (None, "stiffness"):
+            raise ValueError(f'sharing is "stiffness" or None, not {sharing!r}')
+        self._document = self._document.with_sharing(sharing is not None)
+
+    def set_drive_torque(self, torque: Optional[Number]) -> None:
+        """Set the torque at the drive of every state, for the shift table.
+
+        Parameters
+        ----------
+        torque : number or None
+            N m; None: the torques of the shift table follow from the loads.
+
+        Raises
+        ------
+        Error
+            "schema" for a number beyond the limits.
+        """
+        self._document = self._document.with_drive_torque(optional_text(torque))
+
     def add_shape(
         self,
         link: LinkLike,

@@ -23,7 +23,7 @@ struct EfficiencyWish {
 };
 
 /// Limits on whole teeth.
-struct TeethWish {
+struct SetTeethWish {
   int fewest = 17;
   int mostRing = 120;
   int slack = 0;  ///< by which the centre sums of the meshes of one planet may differ
@@ -43,7 +43,7 @@ struct GearboxWish {
   Rational leastK = Rational(3, 2);
   Rational mostK = 4;
   int steps = 8;
-  TeethWish teeth;
+  SetTeethWish teeth;
   std::optional<EfficiencyWish> efficiency;
   std::optional<Rational> torque;       ///< most torque in an element over the input torque, in every gear
   std::optional<Rational> speed;        ///< most speed of a member over that of the input

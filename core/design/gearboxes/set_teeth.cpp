@@ -73,7 +73,7 @@ class Options {
 };
 
 /// The whole suns of a ring at which the ring ratio is within the window.
-std::pair<int, int> sunsOf(int ring, double k, const TeethWish& limits, double window) {
+std::pair<int, int> sunsOf(int ring, double k, const SetTeethWish& limits, double window) {
   const int from = static_cast<int>(std::ceil(ring / k * std::exp(-window) - 1e-9));
   const int to = static_cast<int>(std::floor(ring / k * std::exp(window) + 1e-9));
   return {std::max(from, limits.fewest), std::min(to, ring - 1)};
@@ -81,7 +81,7 @@ std::pair<int, int> sunsOf(int ring, double k, const TeethWish& limits, double w
 
 /// The planets of a simple set: the sums of its centres differ by at most the slack, the smaller
 /// difference and then the smaller planet first.
-std::vector<int> planetsOf(int sun, int ring, const TeethWish& limits) {
+std::vector<int> planetsOf(int sun, int ring, const SetTeethWish& limits) {
   std::vector<int> result;
   for (int slack = 0; slack <= limits.slack; ++slack) {
     for (const int miss : {-slack, slack}) {
@@ -111,7 +111,7 @@ bool planetsFit(SetKind kind, const std::vector<SetTeeth>& parts, int planets) {
   return false;
 }
 
-std::vector<TeethOption> teethNear(SetKind kind, std::span<const double> k, const TeethWish& limits,
+std::vector<TeethOption> teethNear(SetKind kind, std::span<const double> k, const SetTeethWish& limits,
                                    double window, std::size_t most) {
   Options options(kind, k, window);
   for (int ring = 3 * limits.fewest; ring <= limits.mostRing; ++ring) {

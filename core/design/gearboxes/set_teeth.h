@@ -32,7 +32,7 @@ struct TeethOption {
 /// ring ratios the one with the smallest ring. Nearest first, at most `most`.
 /// Cost: O(ring^2) for simple sets, O(ring^3) of few for others.
 [[nodiscard]] std::vector<TeethOption> teethNear(SetKind kind, std::span<const double> k,
-                                                 const TeethWish& limits, double window, std::size_t most);
+                                                 const SetTeethWish& limits, double window, std::size_t most);
 
 /// Do n equal planets of these teeth go in equally spaced, without touching each other?
 [[nodiscard]] bool planetsFit(SetKind kind, const std::vector<SetTeeth>& parts, int planets);

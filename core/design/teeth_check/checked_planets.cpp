@@ -1,4 +1,5 @@
 #include "core/design/teeth_check/checked_planets.h"
+#include "core/mechanism/kinds/pair_kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +44,12 @@ CheckedPlanets::CheckedPlanets(const Mechanism& mechanism, const Placement& plac
   for (const MeshOrdinal mesh : group.meshes) {
     const MeshGeometry& geometry = *placement.meshes[mesh];
     const GearMesh& drawn = mechanism.gearMeshes[mesh];
-    const bool isInternal = geometry.kind == MeshKind::internal;
+    const bool isInternal = hasRing(geometry.kind);
     const bool isTailRing = isInternal && drawn.tailTeeth > drawn.headTeeth;
     const bool isHeadRing = isInternal && !isTailRing;
     const int tail = wheelAt(2 * mesh), head = wheelAt(2 * mesh + 1);
     const Distance distance{tail, head, isHeadRing ? -1 : 1, isTailRing ? -1 : 1};
-    const bool isBevel = geometry.kind == MeshKind::bevel;
+    const bool isBevel = hasIntersectingAxes(geometry.kind);
     if (isPlanet(geometry.tail) && isPlanet(geometry.head) && !isBevel) {
       m_inMesh.push_back({static_cast<std::size_t>(positionOf(geometry.tail)),
                           static_cast<std::size_t>(positionOf(geometry.head)), tail, head});

@@ -14,6 +14,7 @@
 #include "core/design/teeth_wish/problem_mark.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/json_writer.h"
+#include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
 #include "core/mechanism/placement/placement.h"
@@ -194,7 +195,7 @@ class TeethChecker {
   }
 
   [[nodiscard]] bool isRingEnd(int end) const {
-    return m_placement.meshes[end / 2]->kind == MeshKind::internal && drawn(end) > drawn(end ^ 1);
+    return hasRing(m_placement.meshes[end / 2]->kind) && drawn(end) > drawn(end ^ 1);
   }
   [[nodiscard]] bool isKeptEnd(int end) const {
     const MeshGeometry& geometry = *m_placement.meshes[end / 2];
@@ -209,7 +210,8 @@ class TeethChecker {
       const auto any = [&](const auto& is) { return std::any_of(wheel.ends.begin(), wheel.ends.end(), is); };
       const bool isRing = any([&](int end) { return isRingEnd(end); });
       const bool isKept = any([&](int end) { return isKeptEnd(end); });
-      const bool isBevel = any([&](int end) { return m_placement.meshes[end / 2]->kind == MeshKind::bevel; });
+      const bool isBevel =
+          any([&](int end) { return hasIntersectingAxes(m_placement.meshes[end / 2]->kind); });
       std::set<int> counts;
       if (isKept) {
         counts.insert(drawn(wheel.ends.front()));
@@ -244,7 +246,7 @@ class TeethChecker {
     std::map<std::vector<int>, std::vector<int>> meshes;
     for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const MeshGeometry& geometry = *m_placement.meshes[mesh];
-      if (geometry.kind == MeshKind::bevel) continue;
+      if (hasIntersectingAxes(geometry.kind)) continue;
       const int module = m_wish.hasOneModule ? 0 : train[static_cast<std::size_t>(wheelAt(2 * mesh))];
       meshes[{std::min<int>(geometry.tailClass, geometry.headClass),
               std::max<int>(geometry.tailClass, geometry.headClass), module}]
@@ -273,12 +275,12 @@ class TeethChecker {
   }
   [[nodiscard]] std::int64_t drawnDistance(MeshOrdinal mesh) const {
     const std::int64_t tail = drawn(2 * mesh), head = drawn(2 * mesh + 1);
-    return m_placement.meshes[mesh]->kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
+    return hasRing(m_placement.meshes[mesh]->kind) ? std::abs(tail - head) : tail + head;
   }
   /// N_tail + N_head, or those of the ring less those of the pinion.
   [[nodiscard]] std::int64_t distance(MeshOrdinal mesh) const {
     const std::int64_t tail = at(wheelAt(2 * mesh)), head = at(wheelAt(2 * mesh + 1));
-    if (m_placement.meshes[mesh]->kind != MeshKind::internal) return tail + head;
+    if (!hasRing(m_placement.meshes[mesh]->kind)) return tail + head;
     return isRingEnd(2 * mesh) ? tail - head : head - tail;
   }
   [[nodiscard]] int at(int wheel) const { return m_teeth[static_cast<std::size_t>(wheel)]; }

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/foundations/base/contract.h"
+#include "core/machine/teeth/wheel_kind.h"
+#include "core/mechanism/kinds/pair_kind.h"
 
 namespace geargraph::inline teeth_search {
 namespace {
@@ -42,19 +44,19 @@ PlanetCondition::PlanetCondition(const std::vector<PlanetGroup>& set, const Plac
     const auto tail = memberOf(train.wheels[pair->tail].link);
     const auto head = memberOf(train.wheels[pair->head].link);
     for (const GearOrdinal gear : {pair->tail, pair->head}) m_wheels.push_back(wheel(gear));
-    if (pair->kind == MeshKind::bevel) continue;
+    if (hasIntersectingAxes(pair->kind)) continue;
     if (tail && head) {
       m_sides.push_back({*tail, *head, wheel(pair->tail), wheel(pair->head)});
     } else {
       const GearOrdinal own = tail ? pair->tail : pair->head;
       const GearOrdinal central = tail ? pair->head : pair->tail;
-      const bool isRingOutside = train.wheels[central].spec.kind == GearKind::internal;
+      const bool isRingOutside = isRing(train.wheels[central].spec);
       Member& member = m_members[tail ? *tail : *head];
-      const int sign = pair->kind == MeshKind::external ? 1 : -1;
+      const int sign = isBesideEachOther(pair->kind) ? 1 : -1;
       if (isRingOutside || sign > 0) member.sums.push_back({wheel(central), wheel(own), sign});
     }
     for (const auto& [at, gear] : {std::pair(tail, pair->tail), std::pair(head, pair->head)}) {
-      if (at && train.wheels[gear].spec.kind == GearKind::external)
+      if (at && !isRing(train.wheels[gear].spec) && !isConical(train.wheels[gear].spec))
         m_members[*at].tips.push_back(wheel(gear));
     }
   }

@@ -10,6 +10,7 @@
 
 #include "core/design/teeth_search/wished_states.h"
 #include "core/foundations/base/words.h"
+#include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/states/engagement.h"
@@ -82,7 +83,7 @@ class ProblemMaker {
     return end % 2 == 0 ? mesh.tailTeeth : mesh.headTeeth;
   }
   [[nodiscard]] bool isRing(int end) const {
-    return m_placement.meshes[end / 2]->kind == MeshKind::internal && drawnTeeth(end) > drawnTeeth(end ^ 1);
+    return hasRing(m_placement.meshes[end / 2]->kind) && drawnTeeth(end) > drawnTeeth(end ^ 1);
   }
 
   /// Ends of one wheel of the train, and of corresponding wheels of equal planets.
@@ -120,7 +121,7 @@ class ProblemMaker {
       SearchedWheel& of = m_problem.wheels[static_cast<std::size_t>(wheel)];
       of.ends.push_back(end);
       of.isRing = of.isRing || isRing(end);
-      of.isBevel = of.isBevel || m_placement.meshes[end / 2]->kind == MeshKind::bevel;
+      of.isBevel = of.isBevel || hasIntersectingAxes(m_placement.meshes[end / 2]->kind);
       of.isKept = of.isKept || isPinned(m_mechanism.links[linkOf(end)]) || isKept(endName(m_mechanism, end));
       m_problem.wheelOfEnd[static_cast<std::size_t>(end)] = wheel;
       const int gear = gearOfEnd[static_cast<std::size_t>(end)];
@@ -175,8 +176,7 @@ class ProblemMaker {
     const MeshKind kind = m_placement.meshes[mesh]->kind;
     Sum sum;
     for (const int end : {2 * mesh, 2 * mesh + 1})
-      sum[m_problem.wheelOfEnd[static_cast<std::size_t>(end)]] +=
-          kind == MeshKind::internal && !isRing(end) ? -1 : 1;
+      sum[m_problem.wheelOfEnd[static_cast<std::size_t>(end)]] += hasRing(kind) && !isRing(end) ? -1 : 1;
     return sum;
   }
   [[nodiscard]] std::int64_t drawnValue(const Sum& sum) const {
@@ -215,7 +215,7 @@ class ProblemMaker {
     std::map<std::array<int, 3>, Distance> distances;
     for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const MeshGeometry& geometry = *m_placement.meshes[mesh];
-      if (geometry.kind == MeshKind::bevel) continue;
+      if (hasIntersectingAxes(geometry.kind)) continue;
       const auto [low, high] = std::minmax({int{geometry.tailClass}, int{geometry.headClass}});
       const int train =
           hasOneModule ? 0 : trains.root(m_problem.wheelOfEnd[static_cast<std::size_t>(2 * mesh)]);

@@ -12,6 +12,7 @@
 #include "core/mechanism/fitting/pin_rejection.h"
 #include "core/mechanism/fitting/teeth_fit.h"
 #include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
 
@@ -40,10 +41,6 @@ Expected<PlacedMechanism> fitted(const PlacedMechanism& placed, const MeshChange
   return unlessBroken(placed, fitAxes(before, placement, std::move(edited), fit->scales));
 }
 
-int centreTeeth(MeshKind kind, int tail, int head) {
-  return kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
-}
-
 /// The new centre distance of every pair of parallel axes over the old one; a pinned link whose gears would
 /// get other teeth, or an internal pair with equal teeth, is an error.
 Expected<std::map<AxisPair, Rational>> distancesAfter(const Mechanism& before, const Placement& placement,
@@ -51,7 +48,7 @@ Expected<std::map<AxisPair, Rational>> distancesAfter(const Mechanism& before, c
   std::map<AxisPair, MeshOrdinal> bases;
   const auto rank = [&](MeshOrdinal mesh) {
     return (isPinned(before.gearMeshes[mesh]) ? 2 : 0) +
-           (placement.meshes[mesh]->kind == MeshKind::external ? 1 : 0);
+           (isBesideEachOther(placement.meshes[mesh]->kind) ? 1 : 0);
   };
   for (MeshOrdinal mesh = 0; mesh < before.c(); ++mesh) {
     const GearMesh& was = before.gearMeshes[mesh];
@@ -60,9 +57,8 @@ Expected<std::map<AxisPair, Rational>> distancesAfter(const Mechanism& before, c
     if ((was.tailTeeth != now.tailTeeth && isPinned(before.links[geometry.tail])) ||
         (was.headTeeth != now.headTeeth && isPinned(before.links[geometry.head])))
       return pinRejection(before, placement, mesh);
-    if (geometry.kind == MeshKind::bevel) continue;
-    if (geometry.kind == MeshKind::internal && now.tailTeeth == now.headTeeth)
-      return equalInternalTeeth(edited, mesh);
+    if (hasIntersectingAxes(geometry.kind)) continue;
+    if (hasRing(geometry.kind) && now.tailTeeth == now.headTeeth) return equalInternalTeeth(edited, mesh);
     const auto [base, isFirst] = bases.try_emplace(axisPairOf(geometry), mesh);
     if (!isFirst && rank(mesh) > rank(base->second)) base->second = mesh;
   }
@@ -74,8 +70,8 @@ Expected<std::map<AxisPair, Rational>> distancesAfter(const Mechanism& before, c
     const bool stays = isPinned(axisOfClass(before, placement, pair.first)) &&
                        isPinned(axisOfClass(before, placement, pair.second));
     scales[pair] = stays ? Rational(1)
-                         : Rational(centreTeeth(kind, now.tailTeeth, now.headTeeth),
-                                    centreTeeth(kind, was.tailTeeth, was.headTeeth));
+                         : Rational(distanceTeeth(kind, now.tailTeeth, now.headTeeth),
+                                    distanceTeeth(kind, was.tailTeeth, was.headTeeth));
   }
   return scales;
 }

@@ -91,16 +91,17 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
   difference.meshes = countOf(before.gearMeshes, after.gearMeshes);
   difference.axes = before.axes != after.axes;
   difference.inputs = before.inputs != after.inputs;
-  difference.places = before.view.nodes != after.view.nodes || before.view.ttNodes != after.view.ttNodes ||
-                      before.view.colors != after.view.colors;
+  difference.places = before.view.nodes != after.view.nodes || before.view.ttNodes != after.view.ttNodes;
   const bool added = difference.links.added + difference.joints.added + difference.meshes.added > 0;
   const bool removed = difference.links.removed + difference.joints.removed + difference.meshes.removed > 0;
   const bool reordered =
       !added && !removed &&
       !(sameOrder(before.links, after.links) && sameOrder(before.turningJoints, after.turningJoints) &&
         sameOrder(before.gearMeshes, after.gearMeshes));
+  // Colours are stored anew where labels move.
+  const bool recolored = !added && !removed && !reordered && before.view.colors != after.view.colors;
   difference.other = before.unknown != after.unknown || before.view.unknown != after.view.unknown ||
-                     reordered || hasOtherChanges(before, after);
+                     reordered || recolored || hasOtherChanges(before, after);
   return difference;
 }
 

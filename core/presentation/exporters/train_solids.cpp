@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/foundations/base/readable.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
@@ -12,13 +13,6 @@
 
 namespace geargraph::inline exporters {
 namespace {
-
-/// With six significant digits.
-std::string roundedText(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
 
 /// The whole train, or one link of it, with its motion where the format carries one; `isFlawed` tells whether
 /// gears were left out.
@@ -37,7 +31,7 @@ std::variant<MeshScene, ExportError> trainScene(const ExportContext& context, co
   if (solids.tolerance != tolerance) {
     context.tell(
         translated("The train is so large that its chords are within %1 modules instead of %2 (--tolerance).",
-                   {roundedText(solids.tolerance), roundedText(tolerance)}));
+                   {readableNumber(solids.tolerance), readableNumber(tolerance)}));
   }
   if (!solids.left.empty()) {
     isFlawed = true;

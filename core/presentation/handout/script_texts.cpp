@@ -21,6 +21,7 @@ constexpr ScriptText kTexts[] = {
     {"print", toTranslate("Print")},
     {"drawing", toTranslate("Drawing")},
     {"matrix", toTranslate("Matrix")},
+    {"reveal", toTranslate("Show what the exercises ask for")},
     // card.js
     {"back", toTranslate("‹ Back")},
     {"next", toTranslate("Next ›")},

@@ -7,7 +7,6 @@
 
 #include "core/foundations/base/words.h"
 #include "core/presentation/drawing/text_metrics.h"
-#include "core/presentation/lever_drawing/lever_layout.h"
 #include "core/presentation/lever_drawing/lever_marks.h"
 #include "core/presentation/lever_drawing/lever_words.h"
 
@@ -30,23 +29,25 @@ struct Spot {
 
 class LeverDrawer {
  public:
-  LeverDrawer(const Mechanism& mechanism, const LeverPicture& picture, const Emphases& emphases)
+  LeverDrawer(const Mechanism& mechanism, const LeverPicture& picture, const LeverLayout& layout,
+              const Emphases& emphases, const LeverLook& look)
       : m_mechanism(mechanism),
         m_picture(picture),
-        m_layout(leverLayout(mechanism, picture.plan)),
-        m_hasTorques(std::any_of(picture.torques.begin(), picture.torques.end(),
-                                 [](const auto& lever) { return !lever.empty(); })),
+        m_layout(layout),
+        m_look(look),
+        m_hasTorques(look.torques && std::any_of(picture.torques.begin(), picture.torques.end(),
+                                                 [](const auto& lever) { return !lever.empty(); })),
         m_spacing(m_hasTorques ? 300 : 220),
         m_unit(unit()),
         m_painter(mechanism, emphases,
                   Extent::spanning({-200, -m_unit * m_layout.height.toDouble() - 100},
                                    {m_spacing * static_cast<double>(m_layout.bars.size()) + 200, 160})) {}
 
-  DisplayList drawn() {
+  LeverSheet drawn() {
     if (m_layout.bars.empty()) {
       m_painter.fixedText({}, {0, 0}, absenceSentence(m_mechanism, m_picture.plan), 13, false,
                           ColorRole::secondary);
-      return m_painter.take();
+      return {m_painter.take(), {}, 0};
     }
     for (std::size_t bar = 0; bar < m_layout.bars.size(); ++bar) placeSpots(bar);
     for (const BarTie& tie : m_layout.ties) drawTie(tie);
@@ -56,10 +57,21 @@ class LeverDrawer {
     for (std::size_t bar = 0; bar < m_layout.bars.size(); ++bar) drawValues(bar);
     drawRoles();
     drawFoot();
-    return m_painter.take();
+    const double scale = speedScale();
+    return {m_painter.take(), spotsWith(scale), scale};
   }
 
  private:
+  [[nodiscard]] std::vector<LeverSpot> spotsWith(double scale) const {
+    std::vector<LeverSpot> spots;
+    for (std::size_t bar = 0; bar < m_spots.size(); ++bar) {
+      for (const Spot& spot : m_spots[bar]) {
+        spots.push_back({m_layout.bars[bar].lever, static_cast<int>(spot.point - leverOf(bar).points.data()),
+                         static_cast<int>(bar), spot.at, spot.center, tipOf(spot, scale)});
+      }
+    }
+    return spots;
+  }
   [[nodiscard]] const Lever& leverOf(std::size_t bar) const {
     return m_picture.plan.levers[static_cast<std::size_t>(m_layout.bars[bar].lever)];
   }
@@ -189,10 +201,11 @@ class LeverDrawer {
   }
 
   [[nodiscard]] std::optional<Rational> speedOf(const LeverPoint& point) const {
-    if (m_picture.speeds.empty()) return std::nullopt;
+    if (m_picture.speeds.empty() || !m_look.speeds) return std::nullopt;
     return m_picture.speeds[static_cast<std::size_t>(m_picture.plan.positionOf(point.links.front()))];
   }
   [[nodiscard]] double speedScale() const {
+    if (m_look.speedScale && m_look.speeds && !m_picture.speeds.empty()) return *m_look.speedScale;
     double most = 0;
     for (const auto& spots : m_spots) {
       for (const Spot& spot : spots) {
@@ -220,7 +233,7 @@ class LeverDrawer {
 
   void drawTorques(std::size_t bar) {
     const auto lever = static_cast<std::size_t>(m_layout.bars[bar].lever);
-    if (m_picture.torques.empty() || m_picture.torques[lever].empty()) return;
+    if (!m_hasTorques || m_picture.torques[lever].empty()) return;
     double most = 0;
     for (const auto& each : m_picture.torques) {
       for (const Rational& torque : each) most = std::max(most, torque.abs().toDouble());
@@ -328,7 +341,8 @@ class LeverDrawer {
 
   const Mechanism& m_mechanism;
   const LeverPicture& m_picture;
-  LeverLayout m_layout;
+  const LeverLayout& m_layout;
+  const LeverLook& m_look;
   bool m_hasTorques = false;
   double m_spacing = 0;
   double m_unit = 0;
@@ -339,8 +353,13 @@ class LeverDrawer {
 
 }  // namespace
 
+LeverSheet leverSheet(const Mechanism& mechanism, const LeverPicture& picture, const LeverLayout& layout,
+                      const Emphases& emphases, const LeverLook& look) {
+  return LeverDrawer(mechanism, picture, layout, emphases, look).drawn();
+}
+
 DisplayList leverDrawing(const Mechanism& mechanism, const LeverPicture& picture, const Emphases& emphases) {
-  return LeverDrawer(mechanism, picture, emphases).drawn();
+  return leverSheet(mechanism, picture, leverLayout(mechanism, picture.plan), emphases).drawing;
 }
 
 }  // namespace geargraph::inline lever_drawing

@@ -1,10 +1,45 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/drawing/emphasis.h"
+#include "core/presentation/lever_drawing/lever_layout.h"
 #include "core/presentation/lever_drawing/lever_picture.h"
 
 namespace geargraph::inline lever_drawing {
+
+/// What is shown of a lever diagram besides its bars.
+struct LeverLook {
+  bool speeds = true;
+  bool torques = true;
+  /// px on the sheet for 1 rad/s; none: the greatest speed has a fixed length.
+  std::optional<double> speedScale = {};
+};
+
+/// A point of a bar on the sheet.
+struct LeverSpot {
+  int lever = 0;      ///< of the plan
+  int point = 0;      ///< of the lever
+  int bar = 0;        ///< from the left
+  SheetPoint at;      ///< its exact place on the bar
+  SheetPoint center;  ///< of its disc: there, or beside the bar where points nearly coincide
+  SheetPoint tip;     ///< of its speed; `at` where no speeds are shown
+};
+
+/// A lever diagram and where its points are.
+struct LeverSheet {
+  DisplayList drawing;
+  std::vector<LeverSpot> spots;  ///< bar by bar from the left, each from the top
+  double speedScale = 0;         ///< px on the sheet for 1 rad/s; 0 where no speeds are shown
+};
+
+/// leverDrawing() by a layout that is known already. Cost: near linear in points.
+/// @pre the layout is leverLayout() of the mechanism and the picture's plan
+[[nodiscard]] LeverSheet leverSheet(const Mechanism& mechanism, const LeverPicture& picture,
+                                    const LeverLayout& layout, const Emphases& emphases,
+                                    const LeverLook& look = {});
 
 /// The lever diagram: a vertical bar a lever with its points at their exact places, shared points level on
 /// bands of their links' colours, the ground and held links as pivots, letters of couplings at their links.

@@ -52,7 +52,7 @@ class NomogramDrawer {
     }
   }
 
-  DisplayList drawn() {
+  NomogramSheet drawn() {
     if (m_plan.levers.empty()) return sentence(absenceSentence(m_mechanism, m_plan));
     if (m_mechanism.states.empty())
       return sentence(translated("No states yet: a state engages brakes and clutches and names its drive."));
@@ -70,7 +70,8 @@ class NomogramDrawer {
     for (const Panel& panel : panels) drawElements(panel);
     for (const Panel& panel : panels) drawTags(panel);
     for (const Panel& panel : panels) drawWords(panel);
-    return m_painter.take();
+    m_sheet.drawing = m_painter.take();
+    return std::move(m_sheet);
   }
 
  private:
@@ -80,9 +81,9 @@ class NomogramDrawer {
     std::vector<double> axes;  ///< x, by point
   };
 
-  DisplayList sentence(const std::string& words) {
+  NomogramSheet sentence(const std::string& words) {
     m_painter.fixedText({}, {0, 0}, words, 13, false, ColorRole::secondary);
-    return m_painter.take();
+    return {m_painter.take(), {}, {}, words};
   }
 
   [[nodiscard]] const Rational& speedOf(const StateLine& line, LinkOrdinal link) const {
@@ -167,6 +168,7 @@ class NomogramDrawer {
       const SheetPoint from{panel.axes.front(), yOn(line, panel, 0)};
       const SheetPoint to{panel.axes.back(), yOn(line, panel, panel.axes.size() - 1)};
       m_painter.blockLine(from, to);
+      m_sheet.lines.push_back({line.state, from, to});
       if (isCurrent) m_painter.line({}, {from, to}, ColorRole::halo, 8, Dash::solid, kLineDepth + 1);
       m_painter.line({}, {from, to}, isCurrent ? ColorRole::accent : ColorRole::secondary,
                      isCurrent ? 3 : 1.5, Dash::solid, kLineDepth + (isCurrent ? 2 : 1));
@@ -239,6 +241,7 @@ class NomogramDrawer {
       double y = 0;
       std::string names;
       bool isCurrent = false;
+      std::vector<int> states;
     };
     std::map<double, std::vector<Tag>> byAxis;
     for (const StateLine& line : m_lines) {
@@ -250,10 +253,11 @@ class NomogramDrawer {
       auto& tags = byAxis[x];
       const auto same = std::find_if(tags.begin(), tags.end(), [&](const Tag& tag) { return tag.y == y; });
       if (same == tags.end()) {
-        tags.push_back({y, name, isCurrent});
+        tags.push_back({y, name, isCurrent, {line.state}});
       } else {
         same->names += ", " + name;
         same->isCurrent |= isCurrent;
+        same->states.push_back(line.state);
       }
     }
     for (auto& [x, tags] : byAxis) {
@@ -262,11 +266,12 @@ class NomogramDrawer {
       for (const Tag& tag : tags) places.push_back(tag.y);
       spread(places, kTagGap);
       for (std::size_t i = 0; i < tags.size(); ++i)
-        drawTag(x, tags[i].y, places[i], tags[i].names, tags[i].isCurrent);
+        m_sheet.tags.push_back(
+            {tags[i].states, drawTag(x, tags[i].y, places[i], tags[i].names, tags[i].isCurrent)});
     }
   }
 
-  void drawTag(double axis, double y, double place, const std::string& names, bool isCurrent) {
+  Extent drawTag(double axis, double y, double place, const std::string& names, bool isCurrent) {
     constexpr double kHalfHeight = 8.5;
     const double half = std::max(10.0, textWidth(names, kSmallSize, true) / 2 + 5);
     SheetPoint center{axis + kTagAside - 10 + half, place};
@@ -278,6 +283,7 @@ class NomogramDrawer {
     m_painter.box(box, isCurrent ? ColorRole::accent : ColorRole::sheet,
                   isCurrent ? ColorRole::accent : ColorRole::secondary);
     m_painter.fixedText({}, center, names, kSmallSize, true, isCurrent ? ColorRole::sheet : ColorRole::ink);
+    return box.extent;
   }
 
   void drawWords(const Panel& panel) {
@@ -318,6 +324,7 @@ class NomogramDrawer {
   PositionIndex<LinkTag> m_linkAt;
   std::vector<StateLine> m_lines;
   LeverPainter m_painter;
+  NomogramSheet m_sheet;
   std::vector<Extent> m_tags;  ///< letters and tags so far, which may be on lines but not on each other
   double m_least = 0;
   double m_most = 1;
@@ -325,10 +332,16 @@ class NomogramDrawer {
 
 }  // namespace
 
-DisplayList nomogramDrawing(const Mechanism& mechanism, const LeverPlan& plan, const Placement& placement,
+NomogramSheet nomogramSheet(const Mechanism& mechanism, const LeverPlan& plan, const Placement& placement,
                             std::span<const StateSolution> states, std::optional<int> current,
                             const Emphases& emphases) {
   return NomogramDrawer(mechanism, plan, placement, states, current, emphases).drawn();
+}
+
+DisplayList nomogramDrawing(const Mechanism& mechanism, const LeverPlan& plan, const Placement& placement,
+                            std::span<const StateSolution> states, std::optional<int> current,
+                            const Emphases& emphases) {
+  return nomogramSheet(mechanism, plan, placement, states, current, emphases).drawing;
 }
 
 }  // namespace geargraph::inline lever_drawing

@@ -26,16 +26,8 @@ class PointPlanDrawer {
                   Extent::spanning({-200, -200}, {kPlanWidth + 200, kPlanHeight + 200})) {}
 
   DisplayList drawn() {
-    if (m_plan.basis.size() != 2) {
-      const bool isLocked = m_plan.absence == LeverAbsence::unsolvable ||
-                            m_plan.absence == LeverAbsence::locked ||
-                            m_plan.absence == LeverAbsence::tooLarge;
-      m_painter.fixedText(
-          {}, {0, 0},
-          isLocked ? absenceSentence(m_mechanism, m_plan)
-                   : translated("The plan shows two freedoms; the links on the ground's axis have %1.",
-                                {std::to_string(m_plan.basis.size())}),
-          13, false, ColorRole::secondary);
+    if (const std::string why = whyNoPointPlan(m_mechanism, m_plan); !why.empty()) {
+      m_painter.fixedText({}, {0, 0}, why, 13, false, ColorRole::secondary);
       return m_painter.take();
     }
     placePoints();
@@ -167,6 +159,15 @@ class PointPlanDrawer {
 };
 
 }  // namespace
+
+std::string whyNoPointPlan(const Mechanism& mechanism, const LeverPlan& plan) {
+  if (plan.basis.size() == 2) return {};
+  const bool isLocked = plan.absence == LeverAbsence::unsolvable || plan.absence == LeverAbsence::locked ||
+                        plan.absence == LeverAbsence::tooLarge;
+  return isLocked ? absenceSentence(mechanism, plan)
+                  : translated("The plan shows two freedoms; the links on the ground's axis have %1.",
+                               {std::to_string(plan.basis.size())});
+}
 
 DisplayList pointPlanDrawing(const Mechanism& mechanism, const LeverPlan& plan, const Emphases& emphases) {
   return PointPlanDrawer(mechanism, plan, emphases).drawn();

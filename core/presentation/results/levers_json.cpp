@@ -155,6 +155,21 @@ std::optional<StaticsReport> lossless(const AnalysisSnapshot& snapshot, const st
                         *kinematics.matroid, options, stop);
 }
 
+/// The rows of all engaged couplings but one.
+std::vector<KinematicModel::HeldRow> heldWithout(const Mechanism& mechanism, const Placement& placement,
+                                                 std::optional<CouplingOrdinal> left) {
+  std::vector<KinematicModel::HeldRow> held;
+  for (const CouplingOrdinal coupling : mechanism.couplings.ordinals()) {
+    const auto& engaged = mechanism.engaged;
+    if (coupling == left ||
+        std::find(engaged.begin(), engaged.end(), mechanism.couplings[coupling].id) == engaged.end())
+      continue;
+    if (!closesWithoutLinkage(mechanism, placement, coupling)) continue;
+    for (auto& row : heldRows(mechanism, placement, coupling)) held.push_back(std::move(row));
+  }
+  return held;
+}
+
 }  // namespace
 
 std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
@@ -184,15 +199,44 @@ std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot, const std
   const LiveKinematics* const kinematics = snapshot.kinematics.get();
   if (kinematics == nullptr || !kinematics->model) return LeverPlan{};
   const Mechanism& mechanism = *snapshot.mechanism;
-  std::vector<KinematicModel::HeldRow> held;
+  std::optional<CouplingOrdinal> last;
   for (const CouplingOrdinal coupling : mechanism.couplings.ordinals()) {
-    const CouplingId id = mechanism.couplings[coupling].id;
-    const auto end = mechanism.engaged.empty() ? mechanism.engaged.end() : mechanism.engaged.end() - 1;
-    if (std::find(mechanism.engaged.begin(), end, id) == end) continue;
-    if (!closesWithoutLinkage(mechanism, kinematics->placement(), coupling)) continue;
-    for (auto& row : heldRows(mechanism, kinematics->placement(), coupling)) held.push_back(std::move(row));
+    if (!mechanism.engaged.empty() && mechanism.couplings[coupling].id == mechanism.engaged.back())
+      last = coupling;
   }
-  return leverPlanOf(*kinematics->model, kinematics->placement(), held, stop);
+  return leverPlanOf(*kinematics->model, kinematics->placement(),
+                     heldWithout(mechanism, kinematics->placement(), last), stop);
+}
+
+std::optional<int> freedomWithout(const AnalysisSnapshot& snapshot, CouplingOrdinal coupling,
+                                  const std::stop_token& stop) {
+  const LiveKinematics* const kinematics = snapshot.kinematics.get();
+  if (kinematics == nullptr || !kinematics->model) return std::nullopt;
+  const Placement& placement = kinematics->placement();
+  const auto plan =
+      leverPlanOf(*kinematics->model, placement, heldWithout(*snapshot.mechanism, placement, coupling), stop);
+  if (!plan || plan->absence == LeverAbsence::unsolvable || plan->absence == LeverAbsence::tooLarge)
+    return std::nullopt;
+  return plan->freedom;
+}
+
+std::optional<StatesOnLevers> statesOnLevers(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const LiveKinematics* const kinematics = snapshot.kinematics.get();
+  if (kinematics == nullptr || !kinematics->model) return StatesOnLevers{};
+  // The states engage their own couplings, whatever the document engages.
+  KinematicModel model = *kinematics->model;
+  model.hold({});
+  auto plan = leverPlanOf(model, kinematics->placement(), {}, stop);
+  if (!plan) return std::nullopt;
+  StatesOnLevers found{*std::move(plan), {}, shownState(*snapshot.mechanism)};
+  if (snapshot.states) {
+    found.states = *snapshot.states;
+    return found;
+  }
+  auto states = solveStates(*snapshot.mechanism, model, kinematics->placement(), false, stop);
+  if (!states) return std::nullopt;
+  found.states = *std::move(states);
+  return found;
 }
 
 std::optional<int> shownState(const Mechanism& mechanism) {

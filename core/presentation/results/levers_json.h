@@ -3,6 +3,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/presentation/lever_drawing/lever_picture.h"
 #include "core/theory/analysis/analysis.h"
@@ -20,6 +21,22 @@ namespace geargraph::inline results {
 /// train. std::nullopt if `stop` was requested.
 [[nodiscard]] std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot,
                                                    const std::stop_token& stop = {});
+
+/// The freedom of the train when this coupling is let go and the others stay engaged. std::nullopt if `stop`
+/// was requested, or the train has no plan. Cost: leverPlanOf().
+[[nodiscard]] std::optional<int> freedomWithout(const AnalysisSnapshot& snapshot, CouplingOrdinal coupling,
+                                                const std::stop_token& stop = {});
+
+/// What a nomogram is drawn of: the plan of the meshes, and all states, whatever the document engages.
+struct StatesOnLevers {
+  LeverPlan plan;
+  std::vector<StateSolution> states;
+  std::optional<int> current;  ///< shownState()
+};
+/// Of a train that is not finished the plan says so. std::nullopt if `stop` was requested.
+/// Cost: leverPlanOf(), and solveStates() where the snapshot has no states yet.
+[[nodiscard]] std::optional<StatesOnLevers> statesOnLevers(const AnalysisSnapshot& snapshot,
+                                                           const std::stop_token& stop = {});
 
 /// The position of the state that engages what the document engages; none where nothing is engaged.
 [[nodiscard]] std::optional<int> shownState(const Mechanism& mechanism);

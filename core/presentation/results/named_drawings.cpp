@@ -56,15 +56,11 @@ DisplayList levers(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/
 DisplayList nomogram(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
                      const std::stop_token& stop) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  const LiveKinematics* const kinematics = snapshot.kinematics.get();
-  if (kinematics == nullptr || !kinematics->model) return nomogramDrawing(mechanism, {}, {}, {}, {}, {});
-  // The states engage their own couplings, whatever the document engages.
-  KinematicModel model = *kinematics->model;
-  model.hold({});
-  const auto plan = leverPlanOf(model, kinematics->placement(), {}, stop);
-  const auto states = solveStates(mechanism, model, kinematics->placement(), false, stop);
-  if (!plan || !states) return {};
-  return nomogramDrawing(mechanism, *plan, kinematics->placement(), *states, shownState(mechanism), {});
+  const auto found = statesOnLevers(snapshot, stop);
+  if (!found) return {};
+  if (found->plan.mainAxis < 0) return nomogramDrawing(mechanism, found->plan, {}, {}, {}, {});
+  return nomogramDrawing(mechanism, found->plan, snapshot.kinematics->placement(), found->states,
+                         found->current, {});
 }
 
 DisplayList plan(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/, const std::stop_token& stop) {

@@ -156,7 +156,7 @@ class AccessibilityTest : public QObject {
       QTest::qWait(0);
       collect(QAccessible::queryAccessibleInterface(window.get()), nameless, named);
     }
-    for (const char* drawing : {"ttgraph", "schematic", "digraph"}) {
+    for (const char* drawing : {"atlas", "ttgraph", "schematic", "digraph"}) {
       window->showDrawing(QLatin1String(drawing));
       QTRY_VERIFY(window->isSettled());
       collect(QAccessible::queryAccessibleInterface(window.get()), nameless, named);

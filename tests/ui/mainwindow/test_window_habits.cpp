@@ -82,7 +82,7 @@ class WindowHabitsTest : public QObject {
   void deletingALinkSaysWhichNumbersMoved() {
     const auto message = [this] { return part<QLabel>("statusMessage")->text(); };
     window->selection().select({LinkId("3")});
-    window->actions().remove->trigger();
+    window->actions()[CommandId::remove]->trigger();
     QTRY_VERIFY(window->isSettled());
     QVERIFY2(message().startsWith(
                  QStringLiteral("New numbers: 4 is now 3, 5 is now 4, 6 is now 5, 7 is now 6, and ")),

@@ -7,9 +7,11 @@
 #include <QTest>
 
 #include "core/design/collision/motion_diagnostics.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/shapes.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"

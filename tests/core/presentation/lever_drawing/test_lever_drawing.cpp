@@ -3,9 +3,11 @@
 
 #include "core/presentation/drawing/hit_test.h"
 #include "core/presentation/lever_drawing/bar_lengths.h"
+#include "core/presentation/lever_drawing/lever_card.h"
 #include "core/presentation/lever_drawing/lever_drawing.h"
 #include "core/presentation/lever_drawing/lever_layout.h"
 #include "core/presentation/lever_drawing/lever_words.h"
+#include "core/presentation/lever_drawing/nomogram.h"
 #include "core/presentation/results/levers_json.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/theory/states/state_edits.h"
@@ -251,6 +253,74 @@ class TestLeverDrawing : public QObject {
     }
     QVERIFY(force.isZero() && moment.isZero());
     QVERIFY(!picture->torques[0][0].isZero());
+  }
+
+  void aSheetTellsWhereItsPointsAre() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("eight-speed-gearbox"), 4));
+    const LeverPicture picture = *leverPictureOf(*snapshot);
+    const LeverLayout layout = layoutOf(snapshot);
+    const LeverSheet sheet = leverSheet(*snapshot->mechanism, picture, layout, {});
+    QCOMPARE(textOf(sheet.drawing), textOf(leverDrawing(*snapshot->mechanism, picture, {})));
+    std::size_t points = 0;
+    for (const Lever& lever : picture.plan.levers) points += lever.points.size();
+    QCOMPARE(sheet.spots.size(), points);
+    for (const LeverSpot& spot : sheet.spots) {
+      const LeverPoint& point = picture.plan.levers[static_cast<std::size_t>(spot.lever)]
+                                    .points[static_cast<std::size_t>(spot.point)];
+      const Rational& speed =
+          picture.speeds[static_cast<std::size_t>(picture.plan.positionOf(point.links.front()))];
+      QVERIFY(std::abs(spot.tip.x - spot.at.x - sheet.speedScale * speed.toDouble()) < 1e-9);
+    }
+    LeverLook still;
+    still.speeds = false;
+    for (const LeverSpot& spot : leverSheet(*snapshot->mechanism, picture, layout, {}, still).spots)
+      QCOMPARE(spot.tip.x, spot.at.x);
+    LeverLook scaled;
+    scaled.speedScale = 10;
+    QCOMPARE(leverSheet(*snapshot->mechanism, picture, layout, {}, scaled).speedScale, 10.0);
+  }
+
+  void aNomogramTellsWhereItsStatesAre() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("simpson"), 1));
+    const auto states = statesOnLevers(*snapshot);
+    QVERIFY(states && states->current == 1);
+    const NomogramSheet sheet = nomogramSheet(*snapshot->mechanism, states->plan,
+                                              snapshot->kinematics->placement(), states->states, 1, {});
+    QVERIFY(sheet.missing.empty());
+    QCOMPARE(textOf(sheet.drawing), textOf(drawingNamed("nomogram")->draw(*snapshot, nullptr, {})));
+    for (const NomogramSheet::Tag& tag : sheet.tags) {
+      for (const int state : tag.states)
+        QVERIFY(std::any_of(sheet.lines.begin(), sheet.lines.end(),
+                            [&](const NomogramSheet::Line& line) { return line.state == state; }));
+    }
+    QVERIFY(!sheet.tags.empty());
+  }
+
+  // 4 is the carrier of the first set: 48 : 96 teeth divide sun to ring.
+  void aCardTellsPlaceSpeedAndTorque() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("eight-speed-gearbox"), 4));
+    const LeverPicture picture = *leverPictureOf(*snapshot);
+    std::string all;
+    for (std::size_t i = 0; i < picture.plan.levers.front().points.size(); ++i) {
+      const LeverCard card = leverCard(*snapshot->mechanism, picture, 0, static_cast<int>(i));
+      all += card.title + "\n";
+      for (const LeverCard::Row& row : card.rows) all += row.name + " " + row.text + "\n";
+      all += pointSentence(*snapshot->mechanism, picture, 0, static_cast<int>(i)) + "\n";
+    }
+    for (const char* const words :
+         {"held by brake B", "4 divides", "96 : 48 teeth", "speed 1057/1471 = 0.719 rad/s: ",
+          "torque 1955/6871 = 0.285 N m on this lever", "of the way from", ", 0.719 rad/s"})
+      QVERIFY2(all.find(words) != std::string::npos, (words + (" in\n" + all)).c_str());
+  }
+
+  void lettingGoOfACouplingLeavesFreedoms() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("eight-speed-gearbox"), 4));
+    for (const CouplingOrdinal coupling : snapshot->mechanism->couplings.ordinals()) {
+      const auto& engaged = snapshot->mechanism->engaged;
+      const CouplingId id = snapshot->mechanism->couplings[coupling].id;
+      const bool isEngaged = std::find(engaged.begin(), engaged.end(), id) != engaged.end();
+      QCOMPARE(freedomWithout(*snapshot, coupling), std::optional(isEngaged ? 2 : 1));
+    }
   }
 };
 

@@ -124,7 +124,7 @@ class ManualTest : public QObject {
       QVERIFY2(
           entry.find("<img src=\"picture:" + std::string(pictureOf(definition.term))) != std::string::npos,
           name.c_str());
-      QCOMPARE(formulaOfTerm(definition.term).empty(), definition.equation == 0);
+      QCOMPARE(formulaOfTerm(definition.term).empty(), definition.equation == PaperEquation::none);
       const std::string number = "Equation " + cited(definition.equation) + " of the paper.";
       QCOMPARE(words.find(number) != std::string::npos, definition.equation != PaperEquation::none);
       const Lesson* lesson = lessonAbout(definition.term);

@@ -9,7 +9,7 @@ using namespace geargraph;
 
 namespace {
 
-constexpr Viewport kView{640, 400};
+constexpr Viewport kScreen{640, 400};
 
 bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double tolerance = 1e-9) {
   return (a - b).norm() <= tolerance * (1 + b.norm());
@@ -72,13 +72,13 @@ class TestCamera : public QObject {
     const Camera camera = Camera::looking(StandardView::front);
     const Eigen::Vector3d nearest = camera.target() - 10 * camera.forward();
     const Camera turned = camera.orbited(20, 0);
-    QVERIFY(turned.project(nearest, kView).x > camera.project(nearest, kView).x);
+    QVERIFY(turned.project(nearest, kScreen).x > camera.project(nearest, kScreen).x);
   }
 
   void panMovesWhatIsAtTheTargetsDepthWithThePointer() {
     eachCamera([](const Camera& camera, const Eigen::Vector3d&, double dx, double dy) {
-      const Eigen::Vector3d held = camera.atTargetDepth(200, 150, kView);
-      const ScreenPoint after = camera.panned(dx, dy, kView).project(held, kView);
+      const Eigen::Vector3d held = camera.atTargetDepth(200, 150, kScreen);
+      const ScreenPoint after = camera.panned(dx, dy, kScreen).project(held, kScreen);
       QVERIFY(near(after.x, 200 + dx));
       QVERIFY(near(after.y, 150 + dy));
     });
@@ -87,8 +87,8 @@ class TestCamera : public QObject {
   void zoomKeepsThePointUnderTheCursor() {
     eachCamera([](const Camera& camera, const Eigen::Vector3d& point, double dx, double) {
       const Camera nearer = camera.zoomed(std::exp(dx / 50), point);
-      const ScreenPoint before = camera.project(point, kView);
-      const ScreenPoint after = nearer.project(point, kView);
+      const ScreenPoint before = camera.project(point, kScreen);
+      const ScreenPoint after = nearer.project(point, kScreen);
       QVERIFY(near(after.x, before.x, 1e-6));
       QVERIFY(near(after.y, before.y, 1e-6));
       QVERIFY(near(after.depth, before.depth / std::exp(dx / 50), 1e-6));
@@ -97,8 +97,8 @@ class TestCamera : public QObject {
 
   void rayAndProjectionAreInverse() {
     eachCamera([](const Camera& camera, const Eigen::Vector3d& point, double, double) {
-      const ScreenPoint place = camera.project(point, kView);
-      const Ray ray = camera.rayThrough(place.x, place.y, kView);
+      const ScreenPoint place = camera.project(point, kScreen);
+      const Ray ray = camera.rayThrough(place.x, place.y, kScreen);
       const Eigen::Vector3d along = (point - ray.origin).normalized();
       if (place.depth > 0) QVERIFY(near(along, ray.direction));
     });
@@ -106,9 +106,9 @@ class TestCamera : public QObject {
 
   void clipSpaceAgreesWithTheProjectedPixel() {
     eachCamera([](const Camera& camera, const Eigen::Vector3d& point, double, double) {
-      const ScreenPoint place = camera.project(point, kView);
+      const ScreenPoint place = camera.project(point, kScreen);
       if (place.depth <= 0) return;
-      const Eigen::Matrix4d clip = camera.projection(kView, point, 50) * camera.view().matrix();
+      const Eigen::Matrix4d clip = camera.projection(kScreen, point, 50) * camera.view().matrix();
       const Eigen::Vector3d device = Eigen::Vector4d(clip * point.homogeneous()).hnormalized();
       QVERIFY(near((device.x() + 1) * 320, place.x, 1e-6));
       QVERIFY(near((1 - device.y()) * 200, place.y, 1e-6));
@@ -118,13 +118,13 @@ class TestCamera : public QObject {
 
   void theFrustumKeepsWhatIsInThePictureAndDropsWhatIsFarBesideIt() {
     eachCamera([](const Camera& camera, const Eigen::Vector3d& point, double, double) {
-      const ScreenPoint place = camera.project(point, kView);
-      const Frustum frustum(camera.projection(kView, camera.target(), 500) * camera.view().matrix());
-      const bool inside =
-          place.depth > 0 && place.x > 0 && place.x < kView.width && place.y > 0 && place.y < kView.height;
+      const ScreenPoint place = camera.project(point, kScreen);
+      const Frustum frustum(camera.projection(kScreen, camera.target(), 500) * camera.view().matrix());
+      const bool inside = place.depth > 0 && place.x > 0 && place.x < kScreen.width && place.y > 0 &&
+                          place.y < kScreen.height;
       if (inside) QVERIFY(frustum.mayShow(point, 1e-6));
-      const Eigen::Vector3d beside = camera.atTargetDepth(-5, 200, kView);
-      const double pixel = camera.millimetresPerPixel(kView);
+      const Eigen::Vector3d beside = camera.atTargetDepth(-5, 200, kScreen);
+      const double pixel = camera.millimetresPerPixel(kScreen);
       QVERIFY(!frustum.mayShow(beside, 4 * pixel));
       QVERIFY(frustum.mayShow(beside, 6 * pixel));
     });
@@ -137,16 +137,16 @@ class TestCamera : public QObject {
       std::vector<Eigen::Vector3d> points;
       for (int i = 0; i < 12; ++i)
         points.emplace_back(90 * unit(random), 30 * unit(random), 50 * unit(random));
-      const Camera fitted = camera.fitted(points, kView, 0.1);
+      const Camera fitted = camera.fitted(points, kScreen, 0.1);
       QCOMPARE(fitted.yaw(), camera.yaw());
       double left = 1, right = 0, top = 1, bottom = 0;
       for (const Eigen::Vector3d& point : points) {
-        const ScreenPoint place = fitted.project(point, kView);
+        const ScreenPoint place = fitted.project(point, kScreen);
         QVERIFY(place.depth > 0);
-        left = std::min(left, place.x / kView.width);
-        right = std::max(right, place.x / kView.width);
-        top = std::min(top, place.y / kView.height);
-        bottom = std::max(bottom, place.y / kView.height);
+        left = std::min(left, place.x / kScreen.width);
+        right = std::max(right, place.x / kScreen.width);
+        top = std::min(top, place.y / kScreen.height);
+        bottom = std::max(bottom, place.y / kScreen.height);
       }
       QVERIFY(left >= 0.1 - 1e-9 && right <= 0.9 + 1e-9 && top >= 0.1 - 1e-9 && bottom <= 0.9 + 1e-9);
       const bool touchesSides = near(left, 0.1) && near(right, 0.9);

@@ -1,0 +1,51 @@
+#include "ui/atlas/chain_picture.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/canvas/mark_painter.h"
+#include "ui/theme/theme_colors.h"
+
+namespace geargraph::inline ui_atlas {
+namespace {
+
+constexpr double kLargestPictureScale = 1.1;
+constexpr double kPictureMargin = 4;  ///< px
+
+}  // namespace
+
+void paintChain(QPainter& painter, const DisplayList& drawing, const QRectF& area, Theme theme) {
+  if (drawing.marks.empty()) return;
+  painter.save();
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  const QRectF all = toQRect(extentOf(drawing));
+  const QRectF room = area.adjusted(kPictureMargin, kPictureMargin, -kPictureMargin, -kPictureMargin);
+  const double scale =
+      std::min({room.width() / all.width(), room.height() / all.height(), kLargestPictureScale});
+  painter.translate(room.center());
+  painter.scale(scale, scale);
+  painter.translate(-all.center());
+  paintMarks(painter, drawing.marks, theme, scale);
+  painter.restore();
+}
+
+ChainPicture::ChainPicture(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("chainPicture"));
+  setMinimumHeight(120);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+}
+
+void ChainPicture::setDrawing(DisplayList drawing, const QString& description) {
+  m_drawing = std::move(drawing);
+  setAccessibleName(description);
+  update();
+}
+
+void ChainPicture::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  paintChain(painter, m_drawing, rect(), themeOf(palette()));
+}
+
+}  // namespace geargraph::inline ui_atlas
+
+#include "moc_chain_picture.cpp"

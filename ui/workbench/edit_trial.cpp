@@ -1,0 +1,27 @@
+#include "ui/workbench/edit_trial.h"
+
+#include <memory>
+
+#include "core/machine/bodies/derived_geometry.h"
+#include "ui/workbench/workbench.h"
+
+namespace geargraph::inline workbench {
+namespace {
+
+/// No document's revision is as high: what keeps answers by revision does not take one for the other.
+constexpr quint64 kTrials = quint64{1} << 63;
+
+}  // namespace
+
+Diagnostics showTrial(Workbench& workbench, const Edit& edit) {
+  static quint64 number = kTrials;  // of the thread of the windows only
+  const Expected<PlacedMechanism> tried = edit.reduce(workbench.document().placed());
+  if (!tried) {
+    workbench.request();
+    return tried.error();
+  }
+  workbench.analysis().request({std::make_shared<const DerivedGeometry>(*tried), ++number});
+  return {};
+}
+
+}  // namespace geargraph::inline workbench
