@@ -16356,14 +16356,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>elements engaged</source>
-        <translation>geschlossene Schaltelemente</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>größte Abweichung</translation>
-    </message>
-    <message>
         <source>worst η</source>
         <translation>kleinstes η</translation>
     </message>

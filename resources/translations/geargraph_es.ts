@@ -16356,14 +16356,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>N.º</translation>
     </message>
     <message>
-        <source>elements engaged</source>
-        <translation>acoplamientos activos</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>error máximo</translation>
-    </message>
-    <message>
         <source>worst η</source>
         <translation>peor η</translation>
     </message>

@@ -16355,14 +16355,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Sıra</translation>
     </message>
     <message>
-        <source>elements engaged</source>
-        <translation>devredeki elemanlar</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>en büyük hata</translation>
-    </message>
-    <message>
         <source>worst η</source>
         <translation>en düşük η</translation>
     </message>

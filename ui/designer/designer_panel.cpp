@@ -80,7 +80,7 @@ void DesignerPanel::prepare() {
   splitter->setStretchFactor(0, 0);
   splitter->setStretchFactor(1, 3);
   splitter->setStretchFactor(2, 2);
-  splitter->setSizes({scaledPixels(280), scaledPixels(480), scaledPixels(400)});
+  splitter->setSizes({scaledPixels(270), scaledPixels(540), scaledPixels(430)});
   auto* roomLayout = new QVBoxLayout(room);
   roomLayout->setContentsMargins(0, 0, 0, 0);
   roomLayout->addWidget(splitter);
@@ -268,7 +268,7 @@ QString DesignerPanel::countText() const {
 
 QString DesignerPanel::sampledText() const {
   if (m_phase == Phase::idle) return {};
-  return m_isProof ? tr("complete") : tr("sampled, not a proof") + QStringLiteral("  ⓘ");
+  return m_isProof ? tr("complete") : tr("sampled, not a proof");
 }
 
 void DesignerPanel::renewWords() {

@@ -74,6 +74,7 @@ void HitCard::setHit(const GearboxWishPtr& wish, const GearboxPtr& gearbox, int 
   m_wish = wish;
   m_gearbox = gearbox;
   m_open->setEnabled(gearbox != nullptr);
+  m_states->setVisible(gearbox != nullptr);
   m_open->setText(gearbox ? tr("Open No. %1").arg(number) : tr("Open"));
   if (gearbox) m_title->setText(tr("No. %1").arg(number));
   if (!gearbox) m_title->setText(tr("Choose a gearbox of the list."));
@@ -98,9 +99,7 @@ void HitCard::setDetail(const HitDetailPtr& detail) {
 }
 
 QString HitCard::wantedOf(std::size_t gear) const {
-  const auto text = [](const WantedRatio& ratio) {
-    return QString::fromStdString(spokenNumber(ratio.text));
-  };
+  const auto text = [](const WantedRatio& ratio) { return QString::fromStdString(spokenNumber(ratio.text)); };
   if (gear < m_wish->forward.size()) return text(m_wish->forward[gear]);
   return m_wish->reverseRatio ? withPrintedMinus('-' + text(*m_wish->reverseRatio)) : tr("any");
 }

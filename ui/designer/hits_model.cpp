@@ -153,9 +153,9 @@ QVariant HitsModel::headerData(int section, Qt::Orientation orientation, int rol
     case number:
       return tr("No.");
     case elements:
-      return tr("elements engaged");
+      return tr("engaged");
     case error:
-      return tr("largest error");
+      return tr("error");
     case efficiency:
       return tr("worst η");
     case teeth:

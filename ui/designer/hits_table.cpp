@@ -30,6 +30,7 @@ const GearboxPtr& hitAt(const QModelIndex& index) {
 
 void EngagedDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                             const QModelIndex& index) const {
+  if (index.column() != HitsModel::elements) return QStyledItemDelegate::paint(painter, option, index);
   const Gearbox& hit = *hitAt(index);
   const Theme theme = themeOf(option.palette);
   const int gearStep = scaledPixels(kGearStep);
@@ -69,10 +70,19 @@ void EngagedDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->restore();
 }
 
-QSize EngagedDelegate::sizeHint(const QStyleOptionViewItem& /*option*/, const QModelIndex& index) const {
+QSize EngagedDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  if (index.column() != HitsModel::elements) return QStyledItemDelegate::sizeHint(option, index);
   const Gearbox& hit = *hitAt(index);
   return {2 * kDotsMargin + (static_cast<int>(hit.gears.size()) + 1) * scaledPixels(kGearStep),
           kDotsMargin + (static_cast<int>(hit.elements.size()) + 1) * scaledPixels(kElementStep) + 4};
+}
+
+/// The chosen row has the same ground in all cells.
+void EngagedDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+  QStyledItemDelegate::initStyleOption(option, index);
+  const Theme theme = themeOf(option->palette);
+  option->palette.setColor(QPalette::Highlight, chosenColor(theme));
+  option->palette.setColor(QPalette::HighlightedText, qColor(ColorRole::ink, theme));
 }
 
 HitsTable::HitsTable(QWidget* parent) : QTableView(parent) {
@@ -81,7 +91,7 @@ HitsTable::HitsTable(QWidget* parent) : QTableView(parent) {
   m_order.setSourceModel(&m_hits);
   m_order.setSortRole(HitsModel::SortRole);
   setModel(&m_order);
-  setItemDelegateForColumn(HitsModel::elements, new EngagedDelegate(this));
+  setItemDelegate(new EngagedDelegate(this));
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -8,7 +8,7 @@
 
 namespace geargraph::inline designer {
 
-/// Paints the elements that gears engage as a table of dots, a column a gear.
+/// Paints the elements that gears engage as a table of dots, a column a gear; other cells as text.
 class EngagedDelegate final : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -16,6 +16,9 @@ class EngagedDelegate final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 };
 
 /// The list of what was found. Its rows keep their places on the screen while others come in.

@@ -37,9 +37,9 @@ std::string partOfOne(const QString& percent) {
 
 QHBoxLayout* fromTo(QWidget* from, QWidget* to) {
   auto* row = new QHBoxLayout;
-  row->addWidget(from);
+  row->addWidget(from, 1);
   row->addWidget(new QLabel(QStringLiteral("–")));
-  row->addWidget(to);
+  row->addWidget(to, 1);
   return row;
 }
 
