@@ -1,6 +1,7 @@
 #include "ui/atlas/atlas_panel.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -25,8 +26,21 @@ constexpr int kFilterWidth = 190;
 constexpr int kCardWidth = 250;
 constexpr int kUsualLinks = 5;  ///< shown while the train is in no atlas
 
+/// Scrolls up and down only, and is never narrower than its content, so that no row is cut off.
+class ScrolledColumn final : public QScrollArea {
+ public:
+  using QScrollArea::QScrollArea;
+
+  /// QScrollArea filters the events of its content: the layout of that has changed.
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest)
+      setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
+
 QScrollArea* scrolled(QWidget* content, QWidget* parent) {
-  auto* area = new QScrollArea(parent);
+  auto* area = new ScrolledColumn(parent);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -50,8 +64,7 @@ AtlasPanel::AtlasPanel(Document* document, Selection* selection, QWidget* parent
       m_card(new ChainCard(this)) {
   auto* columns = new QSplitter(this);
   columns->setChildrenCollapsible(false);
-  m_filterColumn = scrolled(makeFilters(), columns);
-  columns->addWidget(m_filterColumn);
+  columns->addWidget(scrolled(makeFilters(), columns));
   columns->addWidget(makeMiddle());
   columns->addWidget(scrolled(m_card, columns));
   columns->setStretchFactor(1, 1);
@@ -219,9 +232,6 @@ void AtlasPanel::takeCatalogue(const std::shared_ptr<const ChainCatalogue>& cata
   m_filterLayout->insertWidget(end + 1, countsTable(*catalogue, this));
   m_filter = {.links = kUsualLinks, .dof = 1};
   renew();
-  // A row of choices is never cut off.
-  m_filterColumn->setMinimumWidth(m_filterColumn->widget()->minimumSizeHint().width() +
-                                  m_filterColumn->verticalScrollBar()->sizeHint().width());
 }
 
 /// Shows the chain of the train, the first that is in the atlas, unless the user has chosen one.

@@ -11,7 +11,6 @@
 class QCheckBox;
 class QLabel;
 class QLineEdit;
-class QScrollArea;
 class QVBoxLayout;
 
 namespace geargraph::inline ui_atlas {
@@ -84,7 +83,6 @@ class AtlasPanel final : public QWidget, public ResultsView {
   FilterChips* m_axes = nullptr;
   QCheckBox* m_whole = nullptr;
   QCheckBox* m_sameEquations = nullptr;
-  QScrollArea* m_filterColumn = nullptr;
   QVBoxLayout* m_filterLayout = nullptr;
   QLabel* m_count = nullptr;
   QLabel* m_definition = nullptr;

@@ -151,6 +151,14 @@ class AtlasPanelTest : public QObject {
     for (const AtlasChain* chain : model().chains()) QVERIFY(isNonfractionated(chain->chain));
   }
 
+  void noRowOfChoicesIsCutOff() {
+    const QWidget& chip = part<QToolButton>("dof.2");
+    const QWidget* column = chip.window();
+    for (const QWidget* each = chip.parentWidget(); each != nullptr; each = each->parentWidget())
+      if (each->inherits("QAbstractScrollArea")) column = each;
+    QTRY_VERIFY(chip.mapTo(column, QPoint(chip.width(), 0)).x() <= column->width());
+  }
+
   void whatIsCountedIsExplained() {
     QVERIFY(text("source").contains("043301"));
     QVERIFY(part<QLabel>("definition").isHidden());
