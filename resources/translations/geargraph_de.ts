@@ -17319,7 +17319,7 @@ Radpaare / Steg: %3</translation>
     </message>
     <message>
         <source>Atlas of &amp;chains</source>
-        <translation>Atlas der &amp;Ketten</translation>
+        <translation>&amp;Atlas der Ketten</translation>
     </message>
     <message>
         <source>All geared kinematic chains up to 7 links, and which of them this train is</source>

@@ -17319,7 +17319,7 @@ pares / portasatélites: %3</translation>
     </message>
     <message>
         <source>Atlas of &amp;chains</source>
-        <translation>Atlas de &amp;cadenas</translation>
+        <translation>A&amp;tlas de cadenas</translation>
     </message>
     <message>
         <source>All geared kinematic chains up to 7 links, and which of them this train is</source>

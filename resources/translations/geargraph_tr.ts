@@ -17318,7 +17318,7 @@ dişli çiftleri / taşıyıcı: %3</translation>
     </message>
     <message>
         <source>Atlas of &amp;chains</source>
-        <translation>&amp;Zincir atlası</translation>
+        <translation>Zincir &amp;atlası</translation>
     </message>
     <message>
         <source>All geared kinematic chains up to 7 links, and which of them this train is</source>

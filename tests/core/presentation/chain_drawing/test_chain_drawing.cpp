@@ -1,7 +1,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "core/design/atlas/atlas_file.h"
 #include "core/presentation/chain_drawing/chain_drawing.h"
@@ -44,7 +44,13 @@ int countedCrossings(const Chain& chain, const std::vector<SheetPoint>& at) {
 class TestChainDrawing : public QObject {
   Q_OBJECT
 
+  std::map<ChainNumber, ChainLayout> layouts;  // of the whole atlas
+
  private slots:
+  void initTestCase() {
+    for (const AtlasChain& each : Atlas::shipped().chains()) layouts[each.number] = chainLayout(each.chain);
+  }
+
   void turningJointsSpanTheChain() {
     for (const AtlasChain& each : Atlas::shipped().chains()) {
       const auto turnings = drawnTurnings(each.chain);
@@ -66,7 +72,7 @@ class TestChainDrawing : public QObject {
   void chainsThatTurnHaveNoCrossings() {
     int chains = 0;
     for (const AtlasChain& each : Atlas::shipped().chains()) {
-      const ChainLayout layout = chainLayout(each.chain);
+      const ChainLayout& layout = layouts.at(each.number);
       QCOMPARE(layout.crossings, countedCrossings(each.chain, layout.places));
       if (each.number.dof == 0) continue;
       ++chains;
@@ -77,7 +83,7 @@ class TestChainDrawing : public QObject {
 
   void linesPassThroughNoOtherLink() {
     for (const AtlasChain& each : Atlas::shipped().chains()) {
-      const ChainLayout layout = chainLayout(each.chain);
+      const ChainLayout& layout = layouts.at(each.number);
       for (const auto& [a, b] : linesOf(each.chain)) {
         const SheetPoint from = layout.places[a], to = layout.places[b];
         for (int c = 0; c < each.chain.links; ++c) {
