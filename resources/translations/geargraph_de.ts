@@ -15290,8 +15290,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Es wären mehr als %1 Sätze von Antrieben zu prüfen; sie werden nicht gelistet.</translation>
     </message>
     <message>
-        <source>%1 has no meaning without %2.</source>
-        <translation>%1 hat ohne %2 keine Bedeutung.</translation>
         <source>set %1</source>
         <translation>Radsatz %1</translation>
     </message>
@@ -15376,8 +15374,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Die Hebel eines Getriebes: wo die Glieder der Gestellachse ihre Punkte haben.</translation>
     </message>
     <message>
-        <source>Links %1 turn as one by these tooth counts only.</source>
-        <translation>Glieder %1 drehen sich nur bei diesen Zähnezahlen wie eines.</translation>
         <source>modules</source>
         <translation>Module</translation>
     </message>
@@ -15703,11 +15699,9 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     </message>
     <message>
         <source>Export in any &amp;format…</source>
-        <translation>In einem &amp;Format exportieren…</translation>
+        <translation>In einem Format exportieren…</translation>
     </message>
     <message>
-        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
-        <translation>Graphen, Matrizen, Herleitungen, Zeichnungen, Bilder, Körper und Modelle für andere Programme exportieren, mit allen Optionen</translation>
         <source>This is no certificate of teeth.</source>
         <translation>Dies ist kein Zertifikat über Zähne.</translation>
     </message>
@@ -15916,8 +15910,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Ein Getriebe und eine Datei mit einem Wunsch sind nötig.</translation>
     </message>
     <message>
-        <source>--limit is a whole number up to %1.</source>
-        <translation>--limit ist eine ganze Zahl bis %1.</translation>
         <source>inner planet %1</source>
         <translation>inneres Planetenrad %1</translation>
     </message>
@@ -16090,8 +16082,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>einen solchen Beweis mit eigenem Programmteil prüfen</translation>
     </message>
     <message>
-        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
-        <translation>Ganze Zähnezahlen, mit denen ein gezeichnetes Getriebe gewünschte Übersetzungen hat, alle oder die besten.</translation>
         <source>merge needs the files of parts.</source>
         <translation>merge braucht die Dateien von Teilen.</translation>
     </message>
@@ -16484,8 +16474,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Kupplungen</translation>
     </message>
     <message>
-        <source>one let go, one taken per shift</source>
-        <translation>je Schaltung eines gelöst, eines geschlossen</translation>
         <source>Show what the exercises ask for</source>
         <translation>Zeigen, wonach die Aufgaben fragen</translation>
     </message>
@@ -16626,8 +16614,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Unmöglich: %1 Gänge brauchen ebenso viele Zustände; %2 von %3 Schaltelementen geben weniger.</translation>
     </message>
     <message>
-        <source>Gearbox desi&amp;gner…</source>
-        <translation>Getriebe&amp;entwurf…</translation>
+        <source>Gearbox designer…</source>
+        <translation>Getriebeentwurf…</translation>
     </message>
     <message>
         <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
@@ -16638,8 +16626,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Getriebe aus dem Entwurf</translation>
     </message>
     <message>
-        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
-        <translation>Das Getriebe ist ein eigenes Dokument mit einem Zustand je Gang. Speichern bewahrt es auf.</translation>
         <source>Fewest teeth of a wheel</source>
         <translation>Wenigste Zähne eines Rads</translation>
     </message>
@@ -16944,8 +16930,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Dasselbe mit der Leistung in Gegenrichtung; keiner: es hemmt sich selbst</translation>
     </message>
     <message>
-        <source>Teeth for &amp;ratios…</source>
-        <translation>Zähnezahlen für Üb&amp;ersetzungen…</translation>
+        <source>Teeth for ratios…</source>
+        <translation>Zähnezahlen für Übersetzungen…</translation>
     </message>
     <message>
         <source>Every choice of whole teeth with which this train has the ratios that you want</source>
@@ -17144,8 +17130,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Am Hebel entlang, zum nächsten</translation>
     </message>
     <message>
-        <source>Up and Down, Tab</source>
-        <translation>Auf und Ab, Tab</translation>
         <source>%1, of your train</source>
         <translation>%1, aus Ihrem Getriebe</translation>
     </message>
@@ -17318,8 +17302,8 @@ Radpaare / Steg: %3</translation>
         <translation>Räderketten, gefiltert und gezählt, und welche davon Ihr Getriebe ist.</translation>
     </message>
     <message>
-        <source>Atlas of &amp;chains</source>
-        <translation>&amp;Atlas der Ketten</translation>
+        <source>Atlas of chains</source>
+        <translation>Atlas der Ketten</translation>
     </message>
     <message>
         <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
@@ -17337,52 +17321,21 @@ Radpaare / Steg: %3</translation>
         <source>Number of a chain</source>
         <translation>Nummer einer Kette</translation>
     </message>
-</context>
-<context>
-    <name>HelpPages</name>
     <message>
-        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
-        <translation>Alle Matrizen des Matroid-Verfahrens. Halten Sie die Maus über einen Eintrag, um ihn erklärt zu bekommen.</translation>
+        <source>%1 has no meaning without %2.</source>
+        <translation>%1 hat ohne %2 keine Bedeutung.</translation>
     </message>
     <message>
-        <source>What is wrong with the mechanism, and how to mend it.</source>
-        <translation>Was am Mechanismus falsch ist und wie man es behebt.</translation>
+        <source>--limit is a whole number up to %1.</source>
+        <translation>--limit ist eine ganze Zahl bis %1.</translation>
     </message>
     <message>
-        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
-        <translation>Die Zahnräder in Bewegung. Am Rad ziehen dreht das Getriebe, daneben ziehen dreht die Ansicht.</translation>
+        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
+        <translation>Ganze Zähnezahlen, mit denen ein gezeichnetes Getriebe die gewünschten Übersetzungen hat, alle oder die besten.</translation>
     </message>
     <message>
-        <source>The speeds of the motors, and how fast every joint turns with them.</source>
-        <translation>Die Geschwindigkeiten der Motoren, und wie schnell sich jedes Gelenk mit ihnen dreht.</translation>
-    </message>
-    <message>
-        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
-        <translation>Bremsen und Kupplungen, was geschlossen ist, und die Schaltzustände eines Getriebes.</translation>
-    </message>
-    <message>
-        <source>Teeth, axes and names of what is selected.</source>
-        <translation>Zähne, Achsen und Namen dessen, was ausgewählt ist.</translation>
-    </message>
-    <message>
-        <source>Speeds over one period of the motion.</source>
-        <translation>Geschwindigkeiten über eine Periode der Bewegung.</translation>
-    </message>
-    <message>
-        <source>Both methods worked out step by step for this mechanism.</source>
-        <translation>Beide Verfahren Schritt für Schritt, für diesen Mechanismus.</translation>
-    </message>
-    <message>
-        <source>Loads, and the torques, forces and powers that they cause.</source>
-        <translation>Lasten und die Momente, Kräfte und Leistungen, die sie hervorrufen.</translation>
-    </message>
-    <message>
-        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
-        <translation>Massen, die Trägheit an jedem Motor, und die Bewegung, die Momente hervorrufen.</translation>
-    </message>
-    <message>
-        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
-        <translation>Eine Lektion: was gefragt ist, Ihre Antwort, Hinweise, und der Grund, wo sie falsch ist.</translation>
+        <source>Links %1 turn as one by these tooth counts only.</source>
+        <translation>Die Glieder %1 drehen sich nur bei diesen Zähnezahlen wie eines.</translation>
     </message>
     <message>
         <source>The mechanism as a directed graph: links as circles, turning joints as solid arrows, gear meshes as dashed ones.</source>
@@ -17393,9 +17346,72 @@ Radpaare / Steg: %3</translation>
         <translation>Der Mechanismus nach Tsai und Tokad, mit Ebenen, Sehnen und Transferknoten.</translation>
     </message>
     <message>
+        <source>Both methods worked out step by step for this mechanism.</source>
+        <translation>Beide Verfahren Schritt für Schritt, für diesen Mechanismus.</translation>
+    </message>
+    <message>
+        <source>one let go, one taken per shift</source>
+        <translation>je Schaltung eines gelöst, eines geschlossen</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
+        <translation>Massen, die Trägheit an jedem Motor, und die Bewegung, die Momente hervorrufen.</translation>
+    </message>
+    <message>
+        <source>Loads, and the torques, forces and powers that they cause.</source>
+        <translation>Lasten und die Momente, Kräfte und Leistungen, die sie hervorrufen.</translation>
+    </message>
+    <message>
+        <source>The speeds of the motors, and how fast every joint turns with them.</source>
+        <translation>Die Geschwindigkeiten der Motoren, und wie schnell sich jedes Gelenk mit ihnen dreht.</translation>
+    </message>
+    <message>
+        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
+        <translation>Eine Lektion: was gefragt ist, Ihre Antwort, Hinweise, und der Grund, wo sie falsch ist.</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
+        <translation>Graphen, Matrizen, Herleitungen, Zeichnungen, Bilder, Körper und Modelle für andere Programme exportieren, mit allen Einstellungen</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Auf und Ab, Tab</translation>
+    </message>
+    <message>
+        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
+        <translation>Das Getriebe ist ein eigenes Dokument mit einem Schaltzustand für jeden Gang. Speichern behält es.</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
+        <translation>Bremsen und Kupplungen, was geschlossen ist, und die Schaltzustände eines Getriebes.</translation>
+    </message>
+    <message>
+        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
+        <translation>Alle Matrizen des Matroid-Verfahrens. Halten Sie die Maus über einen Eintrag, um ihn erklärt zu bekommen.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the mechanism, and how to mend it.</source>
+        <translation>Was am Mechanismus falsch ist und wie man es behebt.</translation>
+    </message>
+    <message>
+        <source>Teeth, axes and names of what is selected.</source>
+        <translation>Zähne, Achsen und Namen dessen, was ausgewählt ist.</translation>
+    </message>
+    <message>
         <source>The mechanism in section, as in textbooks. You can draw here, too.</source>
         <translation>Der Mechanismus im Schnitt, wie in Lehrbüchern. Auch hier lässt sich zeichnen.</translation>
     </message>
+    <message>
+        <source>Speeds over one period of the motion.</source>
+        <translation>Geschwindigkeiten über eine Periode der Bewegung.</translation>
+    </message>
+    <message>
+        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
+        <translation>Die Zahnräder in Bewegung. Am Rad ziehen dreht das Getriebe, daneben ziehen dreht die Ansicht.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
     <message>
         <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
         <translation>Der Mechanismus, auf vier Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>

@@ -15290,8 +15290,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Habría que probar más de %1 conjuntos de entradas; no se enumeran.</translation>
     </message>
     <message>
-        <source>%1 has no meaning without %2.</source>
-        <translation>%1 no tiene sentido sin %2.</translation>
         <source>set %1</source>
         <translation>juego %1</translation>
     </message>
@@ -15376,8 +15374,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Las palancas de un tren: dónde tienen sus puntos los eslabones del eje del bastidor.</translation>
     </message>
     <message>
-        <source>Links %1 turn as one by these tooth counts only.</source>
-        <translation>Los eslabones %1 giran como uno solo únicamente con estos números de dientes.</translation>
         <source>modules</source>
         <translation>módulos</translation>
     </message>
@@ -15703,11 +15699,9 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     </message>
     <message>
         <source>Export in any &amp;format…</source>
-        <translation>Exportar en un &amp;formato…</translation>
+        <translation>Exportar en un formato…</translation>
     </message>
     <message>
-        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
-        <translation>Exportar grafos, matrices, deducciones, dibujos, imágenes, sólidos y modelos para otros programas, con todas sus opciones</translation>
         <source>This is no certificate of teeth.</source>
         <translation>Esto no es un certificado de dientes.</translation>
     </message>
@@ -15916,8 +15910,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Se necesitan un mecanismo y un archivo con un deseo.</translation>
     </message>
     <message>
-        <source>--limit is a whole number up to %1.</source>
-        <translation>--limit es un número entero hasta %1.</translation>
         <source>inner planet %1</source>
         <translation>satélite interior %1</translation>
     </message>
@@ -16090,8 +16082,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>comprobar una demostración así, con código propio</translation>
     </message>
     <message>
-        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
-        <translation>Números enteros de dientes con los que un tren dibujado tiene las relaciones deseadas, todos o los mejores.</translation>
         <source>merge needs the files of parts.</source>
         <translation>merge necesita los archivos de las partes.</translation>
     </message>
@@ -16484,8 +16474,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>embragues</translation>
     </message>
     <message>
-        <source>one let go, one taken per shift</source>
-        <translation>por cambio se libera uno y se activa otro</translation>
         <source>Show what the exercises ask for</source>
         <translation>Mostrar lo que preguntan los ejercicios</translation>
     </message>
@@ -16626,8 +16614,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Imposible: %1 marchas necesitan otros tantos estados; %2 de %3 acoplamientos dan menos.</translation>
     </message>
     <message>
-        <source>Gearbox desi&amp;gner…</source>
-        <translation>Diseñador de ca&amp;jas de cambios…</translation>
+        <source>Gearbox designer…</source>
+        <translation>Diseñador de cajas de cambios…</translation>
     </message>
     <message>
         <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
@@ -16638,8 +16626,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Caja del diseñador</translation>
     </message>
     <message>
-        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
-        <translation>La caja es un documento propio, con un estado por marcha. Guardar la conserva.</translation>
         <source>Fewest teeth of a wheel</source>
         <translation>Mínimo de dientes de una rueda</translation>
     </message>
@@ -16944,8 +16930,8 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Lo mismo con la potencia en sentido contrario; ninguno: se autobloquea</translation>
     </message>
     <message>
-        <source>Teeth for &amp;ratios…</source>
-        <translation>Dientes para &amp;relaciones…</translation>
+        <source>Teeth for ratios…</source>
+        <translation>Dientes para relaciones…</translation>
     </message>
     <message>
         <source>Every choice of whole teeth with which this train has the ratios that you want</source>
@@ -17144,8 +17130,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>A lo largo de una palanca, a la siguiente</translation>
     </message>
     <message>
-        <source>Up and Down, Tab</source>
-        <translation>Arriba y Abajo, Tab</translation>
         <source>%1, of your train</source>
         <translation>%1, de su tren</translation>
     </message>
@@ -17318,8 +17302,8 @@ pares / portasatélites: %3</translation>
         <translation>Cadenas de engranajes, filtradas y contadas, y cuál es su tren.</translation>
     </message>
     <message>
-        <source>Atlas of &amp;chains</source>
-        <translation>A&amp;tlas de cadenas</translation>
+        <source>Atlas of chains</source>
+        <translation>Atlas de cadenas</translation>
     </message>
     <message>
         <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
@@ -17337,52 +17321,21 @@ pares / portasatélites: %3</translation>
         <source>Number of a chain</source>
         <translation>Número de una cadena</translation>
     </message>
-</context>
-<context>
-    <name>HelpPages</name>
     <message>
-        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
-        <translation>Todas las matrices del método de matroides. Deje el ratón sobre una entrada para que se explique.</translation>
+        <source>%1 has no meaning without %2.</source>
+        <translation>%1 no tiene sentido sin %2.</translation>
     </message>
     <message>
-        <source>What is wrong with the mechanism, and how to mend it.</source>
-        <translation>Qué está mal en el mecanismo y cómo corregirlo.</translation>
+        <source>--limit is a whole number up to %1.</source>
+        <translation>--limit es un número entero hasta %1.</translation>
     </message>
     <message>
-        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
-        <translation>Las ruedas en movimiento. Arrastrar una rueda gira el tren; arrastrar fuera gira la vista.</translation>
+        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
+        <translation>Números enteros de dientes con los que un tren dibujado tiene las relaciones deseadas, todos o los mejores.</translation>
     </message>
     <message>
-        <source>The speeds of the motors, and how fast every joint turns with them.</source>
-        <translation>Las velocidades de los motores y a qué velocidad gira cada par con ellos.</translation>
-    </message>
-    <message>
-        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
-        <translation>Frenos y embragues, qué está activo, y los estados de una caja de cambios.</translation>
-    </message>
-    <message>
-        <source>Teeth, axes and names of what is selected.</source>
-        <translation>Dientes, ejes y nombres de lo seleccionado.</translation>
-    </message>
-    <message>
-        <source>Speeds over one period of the motion.</source>
-        <translation>Velocidades durante un periodo del movimiento.</translation>
-    </message>
-    <message>
-        <source>Both methods worked out step by step for this mechanism.</source>
-        <translation>Ambos métodos, paso a paso, para este mecanismo.</translation>
-    </message>
-    <message>
-        <source>Loads, and the torques, forces and powers that they cause.</source>
-        <translation>Cargas y los momentos, fuerzas y potencias que causan.</translation>
-    </message>
-    <message>
-        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
-        <translation>Masas, la inercia en cada motor y el movimiento que causan los momentos.</translation>
-    </message>
-    <message>
-        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
-        <translation>Una lección: lo que se pregunta, su respuesta, pistas y la razón si está mal.</translation>
+        <source>Links %1 turn as one by these tooth counts only.</source>
+        <translation>Los eslabones %1 giran como uno solo con estos números de dientes.</translation>
     </message>
     <message>
         <source>The mechanism as a directed graph: links as circles, turning joints as solid arrows, gear meshes as dashed ones.</source>
@@ -17393,9 +17346,72 @@ pares / portasatélites: %3</translation>
         <translation>El mecanismo según Tsai y Tokad, con niveles, cuerdas y vértices de transferencia.</translation>
     </message>
     <message>
+        <source>Both methods worked out step by step for this mechanism.</source>
+        <translation>Ambos métodos, paso a paso, para este mecanismo.</translation>
+    </message>
+    <message>
+        <source>one let go, one taken per shift</source>
+        <translation>uno se suelta y uno se acopla en cada cambio</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
+        <translation>Masas, la inercia en cada motor y el movimiento que causan los momentos.</translation>
+    </message>
+    <message>
+        <source>Loads, and the torques, forces and powers that they cause.</source>
+        <translation>Cargas y los momentos, fuerzas y potencias que causan.</translation>
+    </message>
+    <message>
+        <source>The speeds of the motors, and how fast every joint turns with them.</source>
+        <translation>Las velocidades de los motores y a qué velocidad gira cada par con ellos.</translation>
+    </message>
+    <message>
+        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
+        <translation>Una lección: lo que se pregunta, su respuesta, pistas y la razón si está mal.</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
+        <translation>Exportar grafos, matrices, deducciones, dibujos, imágenes, sólidos y modelos para otros programas, con todas sus opciones</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Arriba y Abajo, Tab</translation>
+    </message>
+    <message>
+        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
+        <translation>La caja de cambios es un documento propio, con un estado para cada marcha. Guardar la conserva.</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
+        <translation>Frenos y embragues, qué está activo, y los estados de una caja de cambios.</translation>
+    </message>
+    <message>
+        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
+        <translation>Todas las matrices del método de matroides. Deje el ratón sobre una entrada para que se explique.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the mechanism, and how to mend it.</source>
+        <translation>Qué está mal en el mecanismo y cómo corregirlo.</translation>
+    </message>
+    <message>
+        <source>Teeth, axes and names of what is selected.</source>
+        <translation>Dientes, ejes y nombres de lo seleccionado.</translation>
+    </message>
+    <message>
         <source>The mechanism in section, as in textbooks. You can draw here, too.</source>
         <translation>El mecanismo en sección, como en los libros de texto. También aquí se puede dibujar.</translation>
     </message>
+    <message>
+        <source>Speeds over one period of the motion.</source>
+        <translation>Velocidades durante un periodo del movimiento.</translation>
+    </message>
+    <message>
+        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
+        <translation>Las ruedas en movimiento. Arrastrar una rueda gira el tren; arrastrar fuera gira la vista.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
     <message>
         <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
         <translation>El mecanismo dibujado de cuatro maneras; un clic en una pestaña elige una.</translation>

@@ -15289,8 +15289,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Denenecek %1 üzerinde girdi kümesi var; listelenmez.</translation>
     </message>
     <message>
-        <source>%1 has no meaning without %2.</source>
-        <translation>%1, %2 olmadan anlamsızdır.</translation>
         <source>set %1</source>
         <translation>dişli takımı %1</translation>
     </message>
@@ -15375,8 +15373,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Bir düzenin kaldıraçları: gövdenin eksenindeki uzuvların noktalarının yeri.</translation>
     </message>
     <message>
-        <source>Links %1 turn as one by these tooth counts only.</source>
-        <translation>%1 numaralı uzuvlar yalnız bu diş sayılarıyla tek uzuv gibi döner.</translation>
         <source>modules</source>
         <translation>modül</translation>
     </message>
@@ -15702,11 +15698,9 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     </message>
     <message>
         <source>Export in any &amp;format…</source>
-        <translation>&amp;Biçim seçerek dışa aktar…</translation>
+        <translation>Biçim seçerek dışa aktar…</translation>
     </message>
     <message>
-        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
-        <translation>Grafları, matrisleri, türetimleri, çizimleri, resimleri, katı modelleri ve diğer programlar için modelleri tüm seçenekleriyle dışa aktar</translation>
         <source>This is no certificate of teeth.</source>
         <translation>Bu bir diş sertifikası değil.</translation>
     </message>
@@ -15915,8 +15909,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Bir mekanizma ve içinde istek olan bir dosya gerekiyor.</translation>
     </message>
     <message>
-        <source>--limit is a whole number up to %1.</source>
-        <translation>--limit, %1 sayısına kadar bir tam sayıdır.</translation>
         <source>inner planet %1</source>
         <translation>iç planet %1</translation>
     </message>
@@ -16089,8 +16081,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>böyle bir kanıtı kendi koduyla denetle</translation>
     </message>
     <message>
-        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
-        <translation>Çizilen bir dişli dizisine istenen oranları veren tam diş sayıları, hepsi ya da en iyileri.</translation>
         <source>merge needs the files of parts.</source>
         <translation>merge için parçaların dosyaları gerekir.</translation>
     </message>
@@ -16483,8 +16473,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>kavramalar</translation>
     </message>
     <message>
-        <source>one let go, one taken per shift</source>
-        <translation>her geçişte biri ayrılır, biri devreye girer</translation>
         <source>Show what the exercises ask for</source>
         <translation>Alıştırmaların sorduğunu göster</translation>
     </message>
@@ -16625,8 +16613,8 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Olanaksız: %1 vites o kadar durum ister; %3 elemandan %2 tanesi daha az verir.</translation>
     </message>
     <message>
-        <source>Gearbox desi&amp;gner…</source>
-        <translation>Şan&amp;zıman tasarımı…</translation>
+        <source>Gearbox designer…</source>
+        <translation>Şanzıman tasarımı…</translation>
     </message>
     <message>
         <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
@@ -16637,8 +16625,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Tasarımdan gelen şanzıman</translation>
     </message>
     <message>
-        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
-        <translation>Şanzıman, her vites için bir durumu olan ayrı bir belgedir. Kaydet onu saklar.</translation>
         <source>Fewest teeth of a wheel</source>
         <translation>Bir dişlinin en az dişi</translation>
     </message>
@@ -16943,8 +16929,8 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Güç ters yönde akarken aynısı; yok: kendini kilitler</translation>
     </message>
     <message>
-        <source>Teeth for &amp;ratios…</source>
-        <translation>O&amp;ranlar için diş sayıları…</translation>
+        <source>Teeth for ratios…</source>
+        <translation>Oranlar için diş sayıları…</translation>
     </message>
     <message>
         <source>Every choice of whole teeth with which this train has the ratios that you want</source>
@@ -17143,8 +17129,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Kol boyunca, sonrakine</translation>
     </message>
     <message>
-        <source>Up and Down, Tab</source>
-        <translation>Yukarı ve Aşağı, Tab</translation>
         <source>%1, of your train</source>
         <translation>%1, sizin dizinizden</translation>
     </message>
@@ -17317,8 +17301,8 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>Süzülmüş ve sayılmış dişli kinematik zincirler ve dizinizin hangisi olduğu.</translation>
     </message>
     <message>
-        <source>Atlas of &amp;chains</source>
-        <translation>Zincir &amp;atlası</translation>
+        <source>Atlas of chains</source>
+        <translation>Zincir atlası</translation>
     </message>
     <message>
         <source>All geared kinematic chains up to 7 links, and which of them this train is</source>
@@ -17336,52 +17320,21 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>Number of a chain</source>
         <translation>Bir zincirin numarası</translation>
     </message>
-</context>
-<context>
-    <name>HelpPages</name>
     <message>
-        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
-        <translation>Matroid yönteminin tüm matrisleri. Açıklaması için fareyi bir öğenin üzerinde tutun.</translation>
+        <source>%1 has no meaning without %2.</source>
+        <translation>%2 olmadan %1 anlamsızdır.</translation>
     </message>
     <message>
-        <source>What is wrong with the mechanism, and how to mend it.</source>
-        <translation>Mekanizmada neyin yanlış olduğu ve nasıl düzeltileceği.</translation>
+        <source>--limit is a whole number up to %1.</source>
+        <translation>--limit en fazla %1 olan bir tam sayıdır.</translation>
     </message>
     <message>
-        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
-        <translation>Dişliler hareket halinde. Dişliyi sürüklemek takımı, boş yeri sürüklemek görünümü döndürür.</translation>
+        <source>Whole teeth with which a drawn train has wanted ratios, all of them or the best.</source>
+        <translation>Çizilmiş bir dizinin istenen oranları verdiği tam diş sayıları, hepsi ya da en iyileri.</translation>
     </message>
     <message>
-        <source>The speeds of the motors, and how fast every joint turns with them.</source>
-        <translation>Motorların hızları ve her mafsalın onlarla ne kadar hızlı döndüğü.</translation>
-    </message>
-    <message>
-        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
-        <translation>Frenler ve kavramalar, neyin devrede olduğu ve bir şanzımanın durumları.</translation>
-    </message>
-    <message>
-        <source>Teeth, axes and names of what is selected.</source>
-        <translation>Seçili olanın dişleri, eksenleri ve adları.</translation>
-    </message>
-    <message>
-        <source>Speeds over one period of the motion.</source>
-        <translation>Hareketin bir periyodu boyunca hızlar.</translation>
-    </message>
-    <message>
-        <source>Both methods worked out step by step for this mechanism.</source>
-        <translation>Bu mekanizma için iki yöntem de adım adım.</translation>
-    </message>
-    <message>
-        <source>Loads, and the torques, forces and powers that they cause.</source>
-        <translation>Yükler ve yol açtıkları torklar, kuvvetler ve güçler.</translation>
-    </message>
-    <message>
-        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
-        <translation>Kütleler, her motordaki atalet ve torkların yol açtığı hareket.</translation>
-    </message>
-    <message>
-        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
-        <translation>Bir ders: ne sorulduğu, yanıtınız, ipuçları ve yanlışsa nedeni.</translation>
+        <source>Links %1 turn as one by these tooth counts only.</source>
+        <translation>%1 numaralı uzuvlar yalnızca bu diş sayılarıyla tek uzuv gibi döner.</translation>
     </message>
     <message>
         <source>The mechanism as a directed graph: links as circles, turning joints as solid arrows, gear meshes as dashed ones.</source>
@@ -17392,9 +17345,72 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>Tsai ve Tokad&apos;a göre mekanizma: düzeyler, kirişler ve aktarma düğümleri.</translation>
     </message>
     <message>
+        <source>Both methods worked out step by step for this mechanism.</source>
+        <translation>Bu mekanizma için iki yöntem de adım adım.</translation>
+    </message>
+    <message>
+        <source>one let go, one taken per shift</source>
+        <translation>her geçişte biri bırakılır, biri tutulur</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
+        <translation>Kütleler, her motordaki atalet ve torkların yol açtığı hareket.</translation>
+    </message>
+    <message>
+        <source>Loads, and the torques, forces and powers that they cause.</source>
+        <translation>Yükler ve yol açtıkları torklar, kuvvetler ve güçler.</translation>
+    </message>
+    <message>
+        <source>The speeds of the motors, and how fast every joint turns with them.</source>
+        <translation>Motorların hızları ve her mafsalın onlarla ne kadar hızlı döndüğü.</translation>
+    </message>
+    <message>
+        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
+        <translation>Bir ders: ne sorulduğu, yanıtınız, ipuçları ve yanlışsa nedeni.</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
+        <translation>Grafları, matrisleri, türetmeleri, çizimleri, resimleri, katıları ve başka programlar için modelleri bütün seçenekleriyle dışa aktar</translation>
+    </message>
+    <message>
+        <source>Up and Down, Tab</source>
+        <translation>Yukarı ve Aşağı, Tab</translation>
+    </message>
+    <message>
+        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
+        <translation>Dişli kutusu, her vites için bir durumu olan ayrı bir belgedir. Kaydet onu saklar.</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
+        <translation>Frenler ve kavramalar, neyin devrede olduğu ve bir şanzımanın durumları.</translation>
+    </message>
+    <message>
+        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
+        <translation>Matroid yönteminin tüm matrisleri. Açıklaması için fareyi bir öğenin üzerinde tutun.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the mechanism, and how to mend it.</source>
+        <translation>Mekanizmada neyin yanlış olduğu ve nasıl düzeltileceği.</translation>
+    </message>
+    <message>
+        <source>Teeth, axes and names of what is selected.</source>
+        <translation>Seçili olanın dişleri, eksenleri ve adları.</translation>
+    </message>
+    <message>
         <source>The mechanism in section, as in textbooks. You can draw here, too.</source>
         <translation>Ders kitaplarındaki gibi kesit olarak mekanizma. Burada da çizilebilir.</translation>
     </message>
+    <message>
+        <source>Speeds over one period of the motion.</source>
+        <translation>Hareketin bir periyodu boyunca hızlar.</translation>
+    </message>
+    <message>
+        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
+        <translation>Dişliler hareket halinde. Dişliyi sürüklemek takımı, boş yeri sürüklemek görünümü döndürür.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
     <message>
         <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
         <translation>Dört biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>

@@ -401,7 +401,7 @@ class TestServe : public QObject {
     }
     QCOMPARE(methods,
              (std::set<std::string>{"analyze", "close", "dynamics", "edit", "export", "help", "inputs",
-                                    "open", "pose", "states", "statics", "text", "validate"}));
+                                    "levers", "open", "pose", "states", "statics", "text", "validate"}));
     QFile file(QString(SOURCE) + "/resources/schema/geargraph.schema.json");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const json definitions = json::parse(file.readAll().constData()).at("$defs");

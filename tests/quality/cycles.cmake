@@ -18,6 +18,9 @@ foreach(source IN LISTS sources)
   string(REGEX REPLACE "\\.cpp$" "" unit "${source}")
   if(NOT DEFINED files_of_${unit})  # the unit of the class whose members it defines
     file(STRINGS "${SOURCE}/${source}" members REGEX "^[A-Za-z].*[A-Z][A-Za-z0-9]*::~?[A-Za-z0-9]+\\(")
+    if(NOT members)
+      continue()  # functions, or the entry of a table
+    endif()
     list(GET members 0 member)
     string(REGEX MATCH "([A-Z][A-Za-z0-9]*)::~?[A-Za-z0-9]+\\(" found "${member}")
     string(TOLOWER "${CMAKE_MATCH_1}" class)

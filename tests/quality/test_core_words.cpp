@@ -72,7 +72,12 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/teaching/derivation/matrix_text.cpp", "comments of formats"},
     {"core/mechanism/graph_format/graph_text.cpp", "formats"},
     {"core/mechanism/model/fields.h", "the page of the format and its schema, which are English"},
+    {"core/design/atlas/canonical_graph.cpp", "for developers"},
+    {"core/design/gearboxes/hub_search.cpp", "names of questions in JSON"},
+    {"core/design/teeth_check/teeth_check.cpp", "names of states that it makes"},
+    {"core/design/teeth_search/wished_states.cpp", "names of states in JSON"},
     {"core/foundations/base/contract.cpp", "for developers"},
+    {"core/foundations/base/kind_table.h", "for developers"},
     {"core/foundations/sandbox/", "for developers"},
     {"core/presentation/drawing/", "formats"},
     {"core/presentation/manual/", "the manual, which is English"},
@@ -100,7 +105,8 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
 const QRegularExpression kNames(
     "^(joint |link |body of link |cycle |torque on link |speed of joint |level of link |the | rad/s| part|"
     "mesh |coupling |link world|geargraph-cli.*|file,status,.*|--(to|view|show)\\b.*| --view |"
-    "((kinds|check) )?FILE\\b.*|not saved|open elsewhere|DejaVu Serif|QLabel \\{.*| (style|bgcolor)='.*)$");
+    "((kinds|check) )?FILE\\b.*|WISH \\[.*|not saved|open elsewhere|DejaVu Serif|QLabel \\{.*| "
+    "(style|bgcolor)='.*)$");
 
 }  // namespace
 

@@ -29,9 +29,9 @@ std::vector<Id> idsFrom(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
-std::optional<MeshKind> meshKindFrom(const OptionalText& name) {
+std::optional<MeshKind> writtenKind(const OptionalText& name) {
   if (!name) return std::nullopt;
-  if (const std::optional<MeshKind> kind = meshKindFrom(*name)) return kind;
+  if (const std::optional<MeshKind> kind = geargraph::meshKindFrom(*name)) return kind;
   throw py::value_error("The kind of a mesh is external, internal or bevel, not \"" + *name + "\".");
 }
 
@@ -141,7 +141,7 @@ void addGeometryEdits(py::class_<Document>& document) {
            })
       .def("with_mesh_kind",
            [](const Document& self, const std::string& mesh, const OptionalText& kind) {
-             return edited(withMeshKind(self.mechanism(), MeshId(mesh), meshKindFrom(kind)));
+             return edited(withMeshKind(self.mechanism(), MeshId(mesh), writtenKind(kind)));
            })
       .def("with_pitch_point",
            [](const Document& self, const std::string& mesh, const std::optional<TripleText>& point) {

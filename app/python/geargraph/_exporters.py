@@ -63,8 +63,11 @@ def exporters() -> Tuple[Exporter, ...]:
         In the order of the command line's help.
     """
     return tuple(
-        Exporter(*row[:6], tuple(_option(option) for option in row[6]), dict(row[7]))
-        for row in _geargraph.exporters()
+        Exporter(
+            id, form, title, what, folder, suffix,
+            tuple(_option(option) for option in options), dict(refusals),
+        )
+        for id, form, title, what, folder, suffix, options, refusals in _geargraph.exporters()
     )
 
 

@@ -69,7 +69,7 @@ class TeethChoices(NamedTuple):
     complete: bool
     tried: int
     filters: Dict[str, int]
-    count: int
+    count: int  # type: ignore[assignment]  # beside the method of tuples
     choices: Tuple[TeethChoice, ...]
     nearest: Optional[TeethChoice]
 
@@ -92,7 +92,7 @@ class TeethCheck(NamedTuple):
     holds: bool
     faults: Tuple[str, ...]
     tried: int
-    count: int
+    count: int  # type: ignore[assignment]
 
 
 def _choice(row: Mapping[str, Any]) -> TeethChoice:

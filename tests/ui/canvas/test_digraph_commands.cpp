@@ -13,7 +13,7 @@ namespace {
 
 const Qt::KeyboardModifiers kControl = Qt::ControlModifier;
 
-QLineEdit* editorOf(const ViewDriver& d) {
+QLineEdit* numberEditorOf(const ViewDriver& d) {
   for (QLineEdit* editor : d.view.viewport()->findChildren<QLineEdit*>()) {
     if (editor->isVisible()) return editor;
   }
@@ -183,20 +183,20 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     d.click(d.center(3));
     d.key(Qt::Key_F2);
-    QLineEdit* editor = editorOf(d);
+    QLineEdit* editor = numberEditorOf(d);
     QVERIFY(editor != nullptr);
     QTest::keyClicks(editor, "hand");
     QTest::keyClick(editor, Qt::Key_Return);
     QCOMPARE(d.mechanism().links[3].name, std::string("hand"));
     QCOMPARE(d.steps(), 1);
-    QVERIFY(editorOf(d) == nullptr);
+    QVERIFY(numberEditorOf(d) == nullptr);
   }
 
   void doubleClickRenamesAndEscapeLeavesTheName() {
     ViewDriver d(placedRobot());
     const std::string before = d.mechanism().links[3].name;
     QTest::mouseDClick(d.view.viewport(), Qt::LeftButton, {}, d.onScreen(d.center(3)));
-    QLineEdit* editor = editorOf(d);
+    QLineEdit* editor = numberEditorOf(d);
     QVERIFY(editor != nullptr);
     QTest::keyClicks(editor, "t");  // a letter for the name, not the key of a tool
     QTest::keyClick(editor, Qt::Key_Escape);

@@ -96,7 +96,7 @@ struct Driver {
   }
 };
 
-QStringList entries(const QMenu& menu) {
+QStringList entriesOfSchematic(const QMenu& menu) {
   QStringList texts;
   for (const QAction* action : menu.actions()) texts << action->text().section('\t', 0, 0);
   return texts;
@@ -257,12 +257,13 @@ class TestSchematicView : public QObject {
   void menusOfferWhatCanBeDone() {
     Driver driver(test::example("robot"));
     const std::unique_ptr<QMenu> ofJoint(driver.view.contextMenuAt(driver.label(JointId("13"))));
-    QVERIFY(entries(*ofJoint).contains("Drive it"));
+    QVERIFY(entriesOfSchematic(*ofJoint).contains("Drive it"));
     const std::unique_ptr<QMenu> ofAxis(driver.view.contextMenuAt(driver.label(AxisId("d"))));
-    QCOMPARE(entries(*ofAxis), (QStringList{"Lay axis d", "Axis d pinned", "", "Delete with its joints"}));
+    QCOMPARE(entriesOfSchematic(*ofAxis),
+             (QStringList{"Lay axis d", "Axis d pinned", "", "Delete with its joints"}));
     const std::unique_ptr<QMenu> ofSheet(driver.view.contextMenuAt({3, 3}));
-    QVERIFY(!entries(*ofSheet).contains("New link here"));
-    QVERIFY(!entries(*ofSheet).contains("Tidy the drawing"));
+    QVERIFY(!entriesOfSchematic(*ofSheet).contains("New link here"));
+    QVERIFY(!entriesOfSchematic(*ofSheet).contains("Tidy the drawing"));
   }
 
   void aMenuMovesABevelToTheOtherSideOfItsApex() {
@@ -270,7 +271,7 @@ class TestSchematicView : public QObject {
     const auto signOf17 = [&driver] { return placementOf(*driver.document.mechanism()).meshes[2]->sign; };
     const int was = signOf17();
     const std::unique_ptr<QMenu> menu(driver.view.contextMenuAt(driver.label(MeshId("17"))));
-    const QStringList texts = entries(*menu);
+    const QStringList texts = entriesOfSchematic(*menu);
     QVERIFY(texts.contains("Move gear 7 to the other side of the apex"));
     menu->actions().at(texts.indexOf("Move gear 6 to the other side of the apex"))->trigger();
     QCOMPARE(signOf17(), -was);
