@@ -15698,7 +15698,7 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Export in any &amp;format…</source>
+        <source>Export in any format…</source>
         <translation>In einem Format exportieren…</translation>
     </message>
     <message>
@@ -17408,6 +17408,30 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
         <translation>Die Zahnräder in Bewegung. Am Rad ziehen dreht das Getriebe, daneben ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Fewest brakes</source>
+        <translation>Wenigste Bremsen</translation>
+    </message>
+    <message>
+        <source>Most brakes</source>
+        <translation>Meiste Bremsen</translation>
+    </message>
+    <message>
+        <source>Fewest clutches</source>
+        <translation>Wenigste Kupplungen</translation>
+    </message>
+    <message>
+        <source>Most clutches</source>
+        <translation>Meiste Kupplungen</translation>
+    </message>
+    <message>
+        <source>Least ring : sun</source>
+        <translation>Kleinstes Verhältnis Hohlrad : Sonne</translation>
+    </message>
+    <message>
+        <source>Largest ring : sun</source>
+        <translation>Größtes Verhältnis Hohlrad : Sonne</translation>
     </message>
 </context>
 <context>

@@ -15698,7 +15698,7 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>Export in any &amp;format…</source>
+        <source>Export in any format…</source>
         <translation>Exportar en un formato…</translation>
     </message>
     <message>
@@ -17408,6 +17408,30 @@ pares / portasatélites: %3</translation>
     <message>
         <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
         <translation>Las ruedas en movimiento. Arrastrar una rueda gira el tren; arrastrar fuera gira la vista.</translation>
+    </message>
+    <message>
+        <source>Fewest brakes</source>
+        <translation>Menos frenos</translation>
+    </message>
+    <message>
+        <source>Most brakes</source>
+        <translation>Más frenos</translation>
+    </message>
+    <message>
+        <source>Fewest clutches</source>
+        <translation>Menos embragues</translation>
+    </message>
+    <message>
+        <source>Most clutches</source>
+        <translation>Más embragues</translation>
+    </message>
+    <message>
+        <source>Least ring : sun</source>
+        <translation>Menor corona : sol</translation>
+    </message>
+    <message>
+        <source>Largest ring : sun</source>
+        <translation>Mayor corona : sol</translation>
     </message>
 </context>
 <context>

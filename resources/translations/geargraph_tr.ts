@@ -15697,7 +15697,7 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>Export in any &amp;format…</source>
+        <source>Export in any format…</source>
         <translation>Biçim seçerek dışa aktar…</translation>
     </message>
     <message>
@@ -16522,7 +16522,7 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     </message>
     <message>
         <source>How far the ratio may be missed: 0.5 % of it, or by a number such as 0.01. Empty: a decimal is taken as rounded, any other ratio is wanted exactly</source>
-        <translation>Oran ne kadar sapabilir: %0,5 kadar ya da 0,01 gibi bir sayı kadar (0,5 % yazın). Boş: ondalık sayı yuvarlanmış sayılır, başka her oran tam istenir</translation>
+        <translation>Oran ne kadar sapabilir: 0,5 % gibi bir pay ya da 0,01 gibi bir sayı kadar. Boş: ondalık sayı yuvarlanmış sayılır, başka her oran tam istenir</translation>
     </message>
     <message>
         <source>Remove this ratio</source>
@@ -17407,6 +17407,30 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
         <translation>Dişliler hareket halinde. Dişliyi sürüklemek takımı, boş yeri sürüklemek görünümü döndürür.</translation>
+    </message>
+    <message>
+        <source>Fewest brakes</source>
+        <translation>En az fren</translation>
+    </message>
+    <message>
+        <source>Most brakes</source>
+        <translation>En çok fren</translation>
+    </message>
+    <message>
+        <source>Fewest clutches</source>
+        <translation>En az kavrama</translation>
+    </message>
+    <message>
+        <source>Most clutches</source>
+        <translation>En çok kavrama</translation>
+    </message>
+    <message>
+        <source>Least ring : sun</source>
+        <translation>En küçük çember : güneş</translation>
+    </message>
+    <message>
+        <source>Largest ring : sun</source>
+        <translation>En büyük çember : güneş</translation>
     </message>
 </context>
 <context>

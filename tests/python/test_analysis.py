@@ -30,7 +30,7 @@ def test_sympy_solution_at_the_ratios_is_the_exact_one(robot):
     }
     assert symbols.subs(values) == a.solution.fractions.to_sympy()
     step = a.tt_graph.steps[-1]
-    expected = [a.solution.fractions[14, label] for label in a.inputs]
+    expected = [a.solution.fractions[step.joint, label] for label in a.inputs]
     assert [formula.to_sympy().subs(values) for formula in step.after] == expected
 
 

@@ -86,7 +86,7 @@ def test_eq45_tt_graph_gives_the_same(robot):
 def test_eq39_to_eq42_are_the_steps(robot):
     steps = robot.analyze().tt_graph.steps
     assert [step.number for step in steps] == [39, 40, 41, 42]
-    assert [step.joint for step in steps] == [10, 12, 13, 14]
+    assert [step.joint for step in steps] == [10, 12, 14, 13]
     assert all(step.before and len(step.after) == 3 for step in steps)
     assert 39 in steps[1].uses
 

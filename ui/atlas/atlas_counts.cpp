@@ -3,17 +3,16 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
-
-#include "ui/atlas/atlas_panel.h"
+#include <QWidget>
 
 namespace geargraph::inline ui_atlas {
 
 QString countsSource() {
-  return AtlasPanel::tr("Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301");
+  return QWidget::tr("Counts for 1 freedom as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301");
 }
 
 QString countsDefinition() {
-  return AtlasPanel::tr(
+  return QWidget::tr(
       "A chain is links, axes and gear pairs, each pair with the link that carries both gears. Which link is "
       "held, teeth, kinds of gears and the joints by which coaxial links are drawn do not matter. Equations: "
       "the triples gear, gear, carrier alone (rotation graphs), which are the equations of the speeds. "
@@ -34,9 +33,9 @@ QWidget* countsTable(const ChainCatalogue& catalogue, QWidget* parent) {
     if (isHead) label->setProperty("look", "hint");
     layout->addWidget(label, row, column);
   };
-  put(0, 0, AtlasPanel::tr("links"), true);
-  put(0, 1, AtlasPanel::tr("equations"), true);
-  put(0, 2, AtlasPanel::tr("chains"), true);
+  put(0, 0, QWidget::tr("links"), true);
+  put(0, 1, QWidget::tr("equations"), true);
+  put(0, 2, QWidget::tr("chains"), true);
   const Atlas& atlas = catalogue.atlas();
   for (int links = 3; links <= atlas.mostLinks(1); ++links) {
     const ChainCounts counts = countsOf(atlas.chains(links, 1));

@@ -184,6 +184,10 @@ void WishForm::makeElements(QVBoxLayout& column) {
               spin("wishBrakesTo", 0, kMaxElements, kMaxElements)};
   m_clutches = {spin("wishClutchesFrom", 0, kMaxElements, 0),
                 spin("wishClutchesTo", 0, kMaxElements, kMaxElements)};
+  m_brakes[0]->setAccessibleName(tr("Fewest brakes"));
+  m_brakes[1]->setAccessibleName(tr("Most brakes"));
+  m_clutches[0]->setAccessibleName(tr("Fewest clutches"));
+  m_clutches[1]->setAccessibleName(tr("Most clutches"));
   form->addRow(tr("brakes"), fromTo(m_brakes[0], m_brakes[1]));
   form->addRow(tr("clutches"), fromTo(m_clutches[0], m_clutches[1]));
   m_singleShift = new QCheckBox(tr("one let go, one taken per shift"), this);
@@ -197,6 +201,8 @@ void WishForm::makeElements(QVBoxLayout& column) {
 void WishForm::makeLimits(QVBoxLayout& column) {
   auto* form = addForm(column, tr("Limits"));
   m_k = {line("wishLeastK", QStringLiteral("1.5")), line("wishMostK", QStringLiteral("4"))};
+  m_k[0]->setAccessibleName(tr("Least ring : sun"));
+  m_k[1]->setAccessibleName(tr("Largest ring : sun"));
   form->addRow(tr("ring : sun"), fromTo(m_k[0], m_k[1]));
   m_fewestTeeth = spin("wishFewestTeeth", 6, 400, 17);
   m_mostRing = spin("wishMostRing", 20, 400, 120);

@@ -85,7 +85,7 @@ std::vector<Command> commandsOfFile() {
        .whyNot = [](const CommandState& now) { return now.hasSiblings ? QString() : alone(); }},
       {.id = CommandId::exportAny,
        .name = "file.export",
-       .text = words("Export in any &format…"),
+       .text = words("Export in any format…"),
        .tip = words("Export graphs, matrices, derivations, drawings, pictures, solids and models for other "
                     "programs, with all their options"),
        .searchWords =
