@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QWidget>
 
+#include "ui/atlas/chain_catalogue.h"
+
 namespace geargraph::inline ui_atlas {
 
 QString countsSource() {
