@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "core/machine/bodies/derived_geometry.h"
@@ -67,6 +68,14 @@ std::string pictureOf(const Mechanism& mechanism) {
   return svgOf(schematicDrawing(schematicGeometry(mechanism), {}), {});
 }
 
+/// What its section shows.
+std::set<ElementId> elementsDrawn(const Mechanism& mechanism) {
+  std::set<ElementId> elements;
+  for (const Mark& mark : schematicDrawing(schematicGeometry(mechanism), {}).marks)
+    elements.insert(mark.element);
+  return elements;
+}
+
 }  // namespace
 
 /// What differs between kinds of gear pairs is asked of the kind alone: a kind that only this test knows goes
@@ -116,6 +125,9 @@ class KindsTest : public QObject {
     const std::string other = pictureOf(pairOf(kUsualKind));
     QVERIFY(own.size() > 1000);
     QVERIFY(own != other);
+    // Nothing of the pair is left out for the other symbol; leaders of labels may differ.
+    QCOMPARE(elementsDrawn(pairOf(toy.pair())), elementsDrawn(pairOf(kUsualKind)));
+    QVERIFY(elementsDrawn(pairOf(toy.pair())).contains(pairOf(toy.pair()).gearMeshes[0].id));
   }
 
   void aToyKindIsSavedAndRead() {
