@@ -433,6 +433,17 @@ std::optional<Gearbox> evaluated(const GearboxWish& wish, Gearbox gearbox) {
   return gearbox;
 }
 
+std::optional<Gearbox> withVariant(const GearboxWish& wish, const Gearbox& gearbox, std::size_t position,
+                                   const ElementLinks& element) {
+  Gearbox changed;
+  changed.layout = gearbox.layout;
+  changed.elements = gearbox.elements;
+  changed.elements[position] = element;
+  for (const GearState& each : gearbox.gears) changed.gears.emplace_back().engaged = each.engaged;
+  for (const TeethOption& each : gearbox.teeth) changed.teeth.emplace_back().parts = each.parts;
+  return evaluated(wish, std::move(changed));
+}
+
 bool ranksBefore(const Gearbox& a, const Gearbox& b) {
   const auto keyOf = [](const Gearbox& each) {
     return std::tuple(each.elements.size(), each.brokenRule.has_value());

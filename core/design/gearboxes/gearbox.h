@@ -65,6 +65,12 @@ struct JudgeCounts {
 /// follows from them but losses. std::nullopt if it does not meet the wish.
 [[nodiscard]] std::optional<Gearbox> evaluated(const GearboxWish& wish, Gearbox gearbox);
 
+/// The gearbox with another of the variants of one element, of the same speeds, with all that follows from it
+/// but losses. std::nullopt if a limit of the wish is exceeded then. @pre `element` is one of
+/// `variants[position]`
+[[nodiscard]] std::optional<Gearbox> withVariant(const GearboxWish& wish, const Gearbox& gearbox,
+                                                 std::size_t position, const ElementLinks& element);
+
 /// The order of a list: fewest elements, then what can be drawn, then the least error, power, torque; then by
 /// the layout.
 [[nodiscard]] bool ranksBefore(const Gearbox& a, const Gearbox& b);

@@ -395,6 +395,10 @@ std::string degreesOf(const Rational& ratio) {
   return std::to_string(static_cast<std::int64_t>(std::llround(degrees)));
 }
 
+std::string gearQuestion(std::size_t gear) {
+  return "gear " + std::to_string(gear + 1);
+}
+
 void addQuestion(HubSearch& search, HubQuestion question) {
   std::map<std::string, std::size_t> counts;
   for (const std::string& answer : question.answers) ++counts[answer];
@@ -403,29 +407,33 @@ void addQuestion(HubSearch& search, HubQuestion question) {
   search.questions.push_back(std::move(question));
 }
 
+/// The answer that a candidate gives: the teeth of a wheel, empty where there is none, or degrees.
+std::string answerOf(const HubCandidate& candidate, const HubQuestion& question) {
+  if (!question.isCount) {
+    for (std::size_t gear = 0; gear < candidate.ratios.size(); ++gear)
+      if (question.name == gearQuestion(gear)) return degreesOf(candidate.ratios[gear]);
+    return {};
+  }
+  for (const auto& [name, teeth] : hubWheels(candidate))
+    if (name == question.name) return std::to_string(teeth);
+  return {};
+}
+
 /// What to count or measure: every wheel, then every gear.
 void findQuestions(HubSearch& search) {
+  search.questions.clear();
   std::vector<std::string> names;
   for (const HubCandidate& each : search.assembled) {
     for (const auto& [name, teeth] : hubWheels(each)) {
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
   }
-  for (const std::string& name : names) {
-    HubQuestion question{name, true, {}, 0};
-    for (const HubCandidate& each : search.assembled) {
-      const auto wheels = hubWheels(each);
-      const auto own =
-          std::find_if(wheels.begin(), wheels.end(), [&](const auto& wheel) { return wheel.first == name; });
-      question.answers.push_back(own == wheels.end() ? "" : std::to_string(own->second));
-    }
-    addQuestion(search, std::move(question));
-  }
+  std::vector<HubQuestion> questions;
+  for (const std::string& name : names) questions.push_back({name, true, {}, 0});
   const std::size_t gears = search.assembled.empty() ? 0 : search.assembled.front().ratios.size();
-  for (std::size_t gear = 0; gear < gears; ++gear) {
-    HubQuestion question{"gear " + std::to_string(gear + 1), false, {}, 0};
-    for (const HubCandidate& each : search.assembled)
-      question.answers.push_back(degreesOf(each.ratios[gear]));
+  for (std::size_t gear = 0; gear < gears; ++gear) questions.push_back({gearQuestion(gear), false, {}, 0});
+  for (HubQuestion& question : questions) {
+    for (const HubCandidate& each : search.assembled) question.answers.push_back(answerOf(each, question));
     addQuestion(search, std::move(question));
   }
   std::stable_sort(search.questions.begin(), search.questions.end(),
@@ -459,6 +467,14 @@ std::vector<std::pair<std::string, int>> hubWheels(const HubCandidate& candidate
     wheels.emplace_back(hubWheelName(set, "ring", 0), candidate.sets[set].ring);
   }
   return wheels;
+}
+
+HubSearch narrowed(HubSearch search, const HubQuestion& question, const std::string& answer) {
+  const auto differs = [&](const HubCandidate& each) { return answerOf(each, question) != answer; };
+  std::erase_if(search.assembled, differs);
+  std::erase_if(search.others, differs);
+  findQuestions(search);
+  return search;
 }
 
 std::optional<HubSearch> findHubs(const HubWish& wish, const std::stop_token& stop) {

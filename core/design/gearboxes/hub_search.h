@@ -64,6 +64,10 @@ constexpr int kMeasuredTurns = 50;
 /// Cost: by set the pairs of ring and planet times suns, then all pairs of the sets' teeth that fit.
 [[nodiscard]] std::optional<HubSearch> findHubs(const HubWish& wish, const std::stop_token& stop = {});
 
+/// Leaves the candidates of which a wheel has so many teeth, or a measured gear turns the output so far, and
+/// what tells these apart. `question` names the wheel or the gear, `answer` is the number.
+[[nodiscard]] HubSearch narrowed(HubSearch search, const HubQuestion& question, const std::string& answer);
+
 /// The name of a wheel: "1.ring", "1.sun2", "1.planet2"; sets and steps count from 1.
 [[nodiscard]] std::string hubWheelName(std::size_t set, std::string_view kind, std::size_t step);
 /// All wheels of a candidate by name.

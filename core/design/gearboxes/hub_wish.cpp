@@ -67,6 +67,20 @@ void readMeasured(JsonObject& object, JsonDiagnostics& diagnostics, HubWish& wis
   });
 }
 
+/// Sheets give developments in metres, or percent: what counts are the ratios to the gear that is direct.
+void relateToDirect(HubWish& wish) {
+  if (wish.direct < 0) return;
+  const auto position = static_cast<std::size_t>(wish.direct);
+  const WantedRatio direct = wish.ratios[position];
+  for (std::size_t gear = 0; gear < wish.ratios.size(); ++gear) {
+    WantedRatio& own = wish.ratios[gear];
+    own.value /= direct.value;
+    own.lowest = gear == position ? Rational(1) : own.lowest / direct.highest;
+    own.highest = gear == position ? Rational(1) : own.highest / direct.lowest;
+    own.isHighestIn = own.isHighestIn || gear == position;
+  }
+}
+
 /// Only what is searched may be wished for: `series` and `oneSunHeld` are true.
 void requireTrue(JsonObject& object, std::string_view name, const char* why) {
   const auto value = object.member(name);
@@ -87,6 +101,8 @@ Expected<HubWish> readHubWish(std::string_view json) {
   JsonObject object(diagnostics, root, "");
   HubWish wish;
   wish.ratios = ratiosMember(object, "ratios", kMaxHubRatios, toleranceMember(object));
+  wish.direct = wholeMember(object, "direct", 0, static_cast<int>(wish.ratios.size()), 0) - 1;
+  relateToDirect(wish);
   wish.sets = wholeMember(object, "sets", 1, kMaxHubSets, wish.sets);
   requireTrue(object, "series", toTranslate("only sets in series are searched."));
   requireTrue(object, "oneSunHeld",

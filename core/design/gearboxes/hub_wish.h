@@ -25,6 +25,7 @@ struct MeasuredRatio {
 /// What is known of a hub gear: output over input speed of each gear, and what may be inside.
 struct HubWish {
   std::vector<WantedRatio> ratios;
+  int direct = -1;        ///< the gear that passes the motion through, to which `ratios` relate; -1: not told
   int sets = 1;           ///< at most so many, in series
   bool isStepped = true;  ///< planets may have steps, each with a sun of its own
   std::array<int, 2> planets{12, 30};

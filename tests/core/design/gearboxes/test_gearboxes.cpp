@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "core/design/gearboxes/gear_balance.h"
 #include "core/design/gearboxes/gearbox_document.h"
 #include "core/design/gearboxes/gearbox_json.h"
 #include "core/design/gearboxes/gearbox_run.h"
@@ -91,6 +92,32 @@ Gearbox eightSpeed(const GearboxWish& wish) {
   }
   if (found.size() != 1) qFatal("%d gearboxes", static_cast<int>(found.size()));
   return found.front();
+}
+
+/// The other route to an efficiency, without a balance of powers: ratios with k of each set times its basic
+/// efficiency, or over it, whichever lessens the size of the ratio (W. Kreines; J. H. Glover).
+Rational efficiencyByRatios(const GearboxWish& wish, const Gearbox& gearbox, std::size_t gear) {
+  const BasicSets sets = basicSets(wish.limits.kinds);
+  std::vector<ElementLinks> engaged;
+  for (const int each : gearbox.gears[gear].engaged)
+    engaged.push_back(gearbox.elements[static_cast<std::size_t>(each)]);
+  const auto ratioAt = [&](const std::vector<Rational>& k) {
+    const auto balance =
+        gearBalance<FractionNumbers>(sets, gearbox.layout, wish.limits.shafts, k, engaged, FractionNumbers());
+    return balance.value().ratio.abs();
+  };
+  std::vector<Rational> k;
+  for (const TeethOption& option : gearbox.teeth)
+    for (const SetTeeth& part : option.parts) k.emplace_back(part.ring, part.sun);
+  const Rational ratio = ratioAt(k);
+  std::vector<Rational> lossy = k;
+  for (std::size_t set = 0; set < k.size(); ++set) {
+    std::vector<Rational> more = k;
+    more[set] *= Rational(1'000'001, 1'000'000);
+    const bool isLessened = ratioAt(more) > ratio;
+    lossy[set] *= isLessened ? wish.efficiency->basic : wish.efficiency->basic.inverse();
+  }
+  return ratioAt(lossy) / ratio;
 }
 
 double roundedRatio(const std::optional<Rational>& value) {
@@ -291,6 +318,31 @@ class TestGearboxes : public QObject {
     QCOMPARE(checkByDocument(wish, gearbox, true), GearboxCheck::right);
     for (int gear = 0; gear < expected.size(); ++gear)
       QCOMPARE(roundedRatio(gearbox.losses->efficiencies[static_cast<std::size_t>(gear)]), expected[gear]);
+    for (std::size_t gear = 0; gear < gearbox.gears.size(); ++gear)
+      QCOMPARE(*gearbox.losses->efficiencies[gear], efficiencyByRatios(wish, gearbox, gear));
+  }
+
+  void variantsHaveTheSameSpeeds() {
+    const GearboxWish wish = gearboxWishOf(kSimpson);
+    int tried = 0;
+    for (const Gearbox& gearbox : gearboxSearch(kSimpson).found) {
+      for (std::size_t i = 0; i < gearbox.elements.size(); ++i) {
+        for (const ElementLinks& element : gearbox.variants[i]) {
+          const auto variant = withVariant(wish, gearbox, i, element);
+          QVERIFY(variant.has_value());
+          QVERIFY(variant->elements[i] == element);
+          QCOMPARE(variant->variants[i].size(), gearbox.variants[i].size());
+          Gearbox checked = *variant;
+          QCOMPARE(checkByDocument(wish, checked, false), GearboxCheck::right);
+          for (std::size_t gear = 0; gear < gearbox.gears.size(); ++gear)
+            QCOMPARE(variant->gears[gear].ratio, gearbox.gears[gear].ratio);
+          const bool isItself = element == gearbox.elements[i];
+          if (isItself) QCOMPARE(variant->measures.torque, gearbox.measures.torque);
+          tried += isItself ? 0 : 1;
+        }
+      }
+    }
+    QVERIFY(tried > 0);
   }
 
   void aLeastEfficiencyRejects() {

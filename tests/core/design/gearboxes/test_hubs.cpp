@@ -1,7 +1,10 @@
 #include <QtTest>
 
+#include "core/design/gearboxes/hub_document.h"
 #include "core/design/gearboxes/hub_json.h"
 #include "core/design/gearboxes/hub_search.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/core/support/pseudo_language.h"
 
 using namespace geargraph;
@@ -88,6 +91,47 @@ class TestHubs : public QObject {
     QVERIFY(hubsOf(sevenSpeeds(R"(, "counted": {"1.ring": 71})")).assembled.empty());
   }
 
+  /// What is counted or turned leaves what a search with that count finds.
+  void answersNarrow() {
+    const HubSearch search = hubsOf(sevenSpeeds());
+    const HubQuestion& first = search.questions.front();
+    const HubSearch left = narrowed(search, first, "29");
+    QCOMPARE(left.assembled.size(), 1U);
+    QCOMPARE(writtenHubSet(left.assembled[0].sets[1]), "36/16 29/21 66 : 2");
+    QVERIFY(left.questions.empty());
+    QVERIFY(narrowed(search, first, "31").assembled.empty());
+    const auto turns = std::find_if(search.questions.begin(), search.questions.end(),
+                                    [](const HubQuestion& each) { return !each.isCount; });
+    QVERIFY(turns != search.questions.end());
+    QCOMPARE(narrowed(search, *turns, turns->answers[0]).assembled.size(), turns->leaves);
+  }
+
+  void hubsAreDocumentsWithTheirRatios_data() {
+    QTest::addColumn<QString>("wish");
+    QTest::newRow("seven speeds, two sets in series") << QString::fromStdString(sevenSpeeds());
+    QTest::newRow("three speeds, ring and carrier exchanged")
+        << R"({"ratios": ["0.75", "1", "1.333"], "stepped": false, "counted": {"1.sun1": 20}})";
+    QTest::newRow("two speeds that increase")
+        << R"({"ratios": ["1", "1.36"], "stepped": false, "rings": [70, 72]})";
+  }
+  void hubsAreDocumentsWithTheirRatios() {
+    QFETCH(QString, wish);
+    const HubSearch search = hubsOf(wish.toStdString());
+    QVERIFY(!search.assembled.empty());
+    for (const HubCandidate& candidate : search.assembled) {
+      const Mechanism document = hubDocument(candidate);
+      const auto read = readMechanism(writeMechanism(document));
+      QVERIFY2(read, read ? "" : read.error().front().message.c_str());
+      const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(document));
+      QVERIFY(!hasErrors(snapshot->diagnostics));
+      QCOMPARE(document.states.size(), candidate.ratios.size());
+      for (std::size_t gear = 0; gear < candidate.ratios.size(); ++gear) {
+        QVERIFY((*snapshot->states)[gear].ratio.has_value());
+        QCOMPARE((*snapshot->states)[gear].ratio->inverse(), candidate.ratios[gear]);
+      }
+    }
+  }
+
   /// One set with the ring driving, passed through, and with the carrier driving.
   void aThreeSpeedHubIsOneSet() {
     const HubSearch search =
@@ -95,6 +139,21 @@ class TestHubs : public QObject {
     QCOMPARE(search.assembled.size(), 1U);
     QCOMPARE(writtenHubSet(search.assembled[0].sets[0]), "20/20 60 : 2 4 5");
     QCOMPARE(hubRatios(search.assembled[0]), (QStringList{"3/4", "1", "4/3"}));
+  }
+
+  /// A sheet in percent: the ratios are quotients of rounded numbers.
+  void sheetsInOtherUnitsRelateToTheDirectGear() {
+    const HubSearch search =
+        hubsOf(R"({"ratios": ["150", "200", "267"], "direct": 2, "tolerance": 0.002, "stepped": false,
+                   "counted": {"1.sun1": 20}})");
+    QVERIFY(std::any_of(search.assembled.begin(), search.assembled.end(), [](const HubCandidate& each) {
+      return hubRatios(each) == QStringList{"3/4", "1", "4/3"};
+    }));
+    const auto wish = readHubWish(R"({"ratios": ["2.1", "2.8"], "direct": 2})");
+    QVERIFY(wish->ratios[0].admits(Rational(3, 4)) && wish->ratios[0].admits(Rational(205, 285)));
+    QVERIFY(!wish->ratios[0].admits(Rational(215, 275)));
+    QVERIFY(wish->ratios[1].admits(Rational(1)) && !wish->ratios[1].admits(Rational(1001, 1000)));
+    QCOMPARE(hubFaultPlace(R"({"ratios": ["0.5"], "direct": 2})"), "/direct");
   }
 
   void ratiosThatNothingGivesHaveNoCandidates() {
