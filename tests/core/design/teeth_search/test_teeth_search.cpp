@@ -8,6 +8,7 @@
 #include "core/design/synthesis/set_sketch.h"
 #include "core/design/synthesis/shifting_sets.h"
 #include "core/design/teeth_check/teeth_check.h"
+#include "core/design/teeth_search/meant_teeth.h"
 #include "core/design/teeth_search/teeth_certificate.h"
 #include "core/design/teeth_search/teeth_json.h"
 #include "core/mechanism/model/pins.h"
@@ -230,7 +231,7 @@ class TestTeethSearch : public QObject {
     QCOMPARE(applied->mechanism().gearMeshes[7].headTeeth, 85);
     const TeethAnswer again = answerFor(
         *applied,
-        R"({"ratios": [{"state": "1", "ratio": "64"}], "fewest": 17, "most": 17, "kept": ["15:tail", "15:head", "16:head", "17:tail", "17:head"]})");
+        R"({"ratios": [{"state": "1", "ratio": "64"}], "fewest": 17, "most": 17, "kept": ["15:tail", "18:head", "16:head", "17:tail", "17:head"]})");
     QCOMPARE(again.found.counts.accepted, std::int64_t{1});
   }
 
@@ -305,6 +306,47 @@ class TestTeethSearch : public QObject {
     QCOMPARE(answer.found.counts.accepted, std::int64_t{0});
     QVERIFY(answer.found.isComplete);
     QCOMPARE(answer.nearest->found.ratios[0], Rational(5512, 55));
+  }
+
+  /// A published tooth count that does not give the published ratio.
+  void aMisprintIsFound() {
+    Mechanism train = twoPairs();
+    const std::string wish = R"({"ratios": [{"drive": "1", "driven": "3", "ratio": "7.143"}]})";
+    const auto right = meantTeeth(train, wishFor(train, wish));
+    QCOMPARE(right->changed, 0);
+    QVERIFY(right->fits[0] != 0 && *right->drawn[0] == Rational(50, 7));
+    train.gearMeshes[1].headTeeth = 61;
+    const auto meant = meantTeeth(train, wishFor(train, wish));
+    QVERIFY(meant->fits[0] == 0);
+    QCOMPARE(meant->changed, 1);
+    QCOMPARE(meant->choices.size(), 1U);
+    const MeantChoice& only = meant->choices.front();
+    const auto wheel = static_cast<std::size_t>(only.changed.front());
+    QCOMPARE(meant->problem->wheels[wheel].name, std::string("8:head"));
+    QCOMPARE(only.found.teeth[wheel], 60);
+    QCOMPARE(only.found.ratios.front(), Rational(50, 7));
+    const std::string json = meantTeethJson(*meant, 20);
+    QVERIFY(json.find(R"("changes": [{"wheel": "8:head", "drawn": 61, "meant": 60}])") != std::string::npos);
+  }
+
+  /// Where one wheel cannot be wrong by itself, because the ring would not fit: the nearest pair of wheels
+  /// first.
+  void aMisprintOfAPlanetarySetKeepsItsCentreDistances() {
+    const Mechanism train = planetarySet({26, 17}, 1);  // 24, 18 and 60 are meant: 1 + 60/24
+    const std::string wish = R"({"ratios": [{"drive": "1", "driven": "3", "held": ["2"], "ratio": "3.5"}]})";
+    const auto meant = meantTeeth(train, wishFor(train, wish));
+    QCOMPARE(meant->changed, 2);
+    std::set<int> teeth(meant->choices.front().found.teeth.begin(), meant->choices.front().found.teeth.end());
+    QCOMPARE(teeth, (std::set<int>{18, 24, 60}));
+    for (const MeantChoice& each : meant->choices) {
+      const Rational ratio = each.found.ratios.front();
+      QVERIFY(ratio >= Rational(69, 20) && ratio < Rational(71, 20));
+      QCOMPARE(each.changed.size(), 2U);
+    }
+    MeantTeethOptions options;
+    options.by = 1;
+    options.wheels = 1;
+    QCOMPARE(meantTeeth(train, wishFor(train, wish), options)->changed, -1);
   }
 
   void stoppedSearchesAreNotComplete() {
