@@ -254,6 +254,8 @@ constexpr std::array kAtlasOptions = {
     Option{"--file", "FILE", toTranslate("another atlas than the program's (of geargraph-make-atlas)")},
 };
 
+constexpr std::array<std::string_view, 1> kAtlasUnserved = {"--file"};
+
 }  // namespace
 
 const Command kAtlas = {
@@ -262,6 +264,7 @@ const Command kAtlas = {
     .summary = toTranslate("Counts and lists geared kinematic chains; writes one as a document."),
     .options = kAtlasOptions,
     .run = runAtlas,
-    .isServed = false};
+    .servedInput = ServedInput::number,
+    .unserved = kAtlasUnserved};
 
 }  // namespace geargraph::cli

@@ -18,6 +18,15 @@ enum ExitStatus {
   kResourceLimit = 3,    ///< a given resource limit was exceeded
 };
 
+/// What a command reads as a method of `serve`.
+enum class ServedInput {
+  document,         ///< one that is open
+  documentAndWish,  ///< also a wish, which is a member of the request
+  twoDocuments,     ///< maybe another one, after --with
+  wish,
+  number  ///< of a chain of the atlas, or nothing
+};
+
 /// A command of the command line. It writes results to standard output, everything else to standard error.
 struct Command {
   std::string_view name;
@@ -25,9 +34,11 @@ struct Command {
   std::string_view summary;  ///< one line
   std::span<const Option> options;
   int (*run)(const Arguments& arguments);
-  bool limitsItself = false;  ///< --limit-seconds does not apply to the whole command
-  bool isServed = true;       ///< also a method of `serve`, which needs a command that reads one document
+  bool limitsItself = false;        ///< --limit-seconds does not apply to the whole command
+  bool isServed = true;             ///< also a method of `serve`
   std::string (*more)() = nullptr;  ///< what the help says after the options, with an empty line before it
+  ServedInput servedInput = ServedInput::document;
+  std::span<const std::string_view> unserved = {};  ///< options that would read or write files
 };
 
 extern const Command kAnalyze;

@@ -232,6 +232,8 @@ constexpr std::array kGearboxOptions = {
            toTranslate("On many machines")},
 };
 
+constexpr std::array<std::string_view, 3> kGearboxUnserved = {"--shard", "--resume", "--parts"};
+
 }  // namespace
 
 const Command kGearbox = {
@@ -241,6 +243,9 @@ const Command kGearbox = {
     kGearboxOptions,
     runGearbox,
     false,
-    false};
+    true,
+    nullptr,
+    ServedInput::wish,
+    kGearboxUnserved};
 
 }  // namespace geargraph::cli

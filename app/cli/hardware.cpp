@@ -6,8 +6,11 @@
 #include "app/cli/gearbox_files.h"
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
+#include "core/design/gearboxes/hub_document.h"
 #include "core/design/gearboxes/hub_json.h"
 #include "core/foundations/base/words.h"
+#include "core/foundations/files/folder.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph::cli {
 namespace {
@@ -97,22 +100,37 @@ int runHardware(const Arguments& arguments) {
   const auto& wish = std::get<HubWish>(read);
   const auto search = findHubs(wish, arguments.stop);
   if (!search) return outOfTime(arguments, translated("the search"));
+  if (arguments.has("-o")) {
+    FolderFiles files;
+    for (const HubCandidate& each : search->assembled) {
+      if (static_cast<std::int64_t>(files.size()) == limit) break;
+      files.emplace_back("hub-" + std::to_string(files.size() + 1) + ".geargraph",
+                         writeMechanism(hubDocument(each)));
+    }
+    const auto failure =
+        writeFolder(arguments.value("-o").value(), files, {arguments.has("--force"), arguments.stop, {}});
+    if (failure) return fileFailure(failure->message);
+  }
   return print(arguments.has("--json") ? hardwareJson(wish, *search, limit) : hubsText(*search, limit));
 }
 
 constexpr std::array kHardwareOptions = {
     Option{"--limit", "N", toTranslate("how many candidates are shown (20)")},
     Option{"--json", "", toTranslate("as JSON")},
+    Option{"-o", "FOLDER", toTranslate("a folder for the documents of the candidates")},
+    Option{"--force", "", toTranslate("overwrites files in the folder")},
 };
 
 }  // namespace
 
 const Command kHardware = {"hardware",
-                           "WISH [--limit N] [--json]",
+                           "WISH [--limit N] [-o FOLDER] [--json]",
                            toTranslate("The planetary sets that may be inside a hub gear with these ratios."),
                            kHardwareOptions,
                            runHardware,
                            false,
-                           false};
+                           true,
+                           nullptr,
+                           ServedInput::wish};
 
 }  // namespace geargraph::cli

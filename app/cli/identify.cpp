@@ -324,6 +324,8 @@ constexpr std::array kIdentifyOptions = {
     Option{"--json", "", toTranslate("as JSON")},
 };
 
+constexpr std::array<std::string_view, 1> kIdentifyUnserved = {"--with"};
+
 }  // namespace
 
 const Command kIdentify = {.name = "identify",
@@ -331,6 +333,7 @@ const Command kIdentify = {.name = "identify",
                            .summary = toTranslate("Which chains of the atlas a train is made of."),
                            .options = kIdentifyOptions,
                            .run = runIdentify,
-                           .isServed = false};
+                           .servedInput = ServedInput::twoDocuments,
+                           .unserved = kIdentifyUnserved};
 
 }  // namespace geargraph::cli

@@ -73,8 +73,36 @@ constexpr std::array kOpenMembers = {
 constexpr std::array kEditMembers = {ServedMember{"document", kDocument, true},
                                      ServedMember{"edits", "list of edits", true}};
 constexpr std::array kDocumentMembers = {ServedMember{"document", kDocument, true}};
-constexpr std::array kCommandMembers = {ServedMember{"document", kDocument, true},
-                                        ServedMember{"arguments", "list of options of the command line"}};
+constexpr std::string_view kWish = "object, as the command line reads it from a file";
+constexpr ServedMember kArguments{"arguments", "list of options of the command line"};
+constexpr std::array kOfDocument = {ServedMember{"document", kDocument, true}, kArguments};
+constexpr std::array kOfDocumentAndWish = {ServedMember{"document", kDocument, true},
+                                           ServedMember{"wish", kWish, true}, kArguments};
+constexpr std::array kOfTwoDocuments = {ServedMember{"document", kDocument, true},
+                                        ServedMember{"with", "number of another document"}, kArguments};
+constexpr std::array kOfWish = {ServedMember{"wish", kWish, true}, kArguments};
+constexpr std::array kOfNumber = {ServedMember{"number", "text, of a chain"}, kArguments};
+
+/// The params of a command as a method.
+std::span<const ServedMember> paramsOf(const Command& command) {
+  switch (command.servedInput) {
+    case ServedInput::document:
+      return kOfDocument;
+    case ServedInput::documentAndWish:
+      return kOfDocumentAndWish;
+    case ServedInput::twoDocuments:
+      return kOfTwoDocuments;
+    case ServedInput::wish:
+      return kOfWish;
+    case ServedInput::number:
+      return kOfNumber;
+  }
+  return {};
+}
+
+bool isUnserved(const Command& command, std::string_view option) {
+  return std::find(command.unserved.begin(), command.unserved.end(), option) != command.unserved.end();
+}
 
 /// The commands that are methods, too.
 std::vector<const Command*> servedCommands() {
@@ -135,10 +163,9 @@ class Server {
     for (const Command* const command : servedCommands()) {
       if (command->name != name) continue;
       if (!params) return Rejection{"request", "The member \"params\" is missing."};
-      if (auto sentence = unknownMember(name, *params, kCommandMembers))
+      if (auto sentence = unknownMember(name, *params, paramsOf(*command)))
         return Rejection{"request", *std::move(sentence)};
-      const auto document = documentOf(*params);
-      return document ? run(*command, *document, *params) : Answer(unknownDocument());
+      return run(*command, *params);
     }
     return Rejection{"request", "There is no method \"" + name + "\"; \"help\" lists them."};
   }
@@ -163,7 +190,7 @@ class Server {
       json.beginArray();
       for (const Method& method : ownMethods()) writeMethod(json, method.name, method.members, {});
       for (const Command* const command : servedCommands())
-        writeMethod(json, command->name, kCommandMembers, optionsOf(*command));
+        writeMethod(json, command->name, paramsOf(*command), servedOptionsOf(*command));
       json.endArray();
       json.key("edits");
       json.beginArray();
@@ -176,6 +203,12 @@ class Server {
       }
       json.endArray();
     });
+  }
+
+  static std::vector<Option> servedOptionsOf(const Command& command) {
+    std::vector<Option> options = optionsOf(command);
+    std::erase_if(options, [&](const Option& option) { return isUnserved(command, option.name); });
+    return options;
   }
 
   static void writeMethod(JsonWriter& json, std::string_view name, std::span<const ServedMember> members,
@@ -198,8 +231,9 @@ class Server {
     json.endObject();
   }
 
-  [[nodiscard]] std::optional<std::string> documentOf(const JsonValue& params) const {
-    const auto named = params.member("document");
+  [[nodiscard]] std::optional<std::string> documentOf(const JsonValue& params,
+                                                      std::string_view member = "document") const {
+    const auto named = params.member(member);
     if (!named || !named->is(JsonKind::string)) return std::nullopt;
     const std::string name = named->string();
     return m_documents.contains(name) ? std::optional(name) : std::nullopt;
@@ -295,13 +329,15 @@ class Server {
   }
 
   /// Words of a command that would reach beyond standard input and output are rejected.
-  static std::optional<Rejection> wrongWord(const std::vector<std::string>& words) {
+  static std::optional<Rejection> wrongWord(const Command& command, const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
       const std::string& word = words[i];
       const bool isOutput = word == "-o" && i + 1 < words.size() && words[i + 1] == "-";
       if (word.starts_with("-o") && !isOutput)
         return Rejection{"request", "A served command writes nothing but its answer: -o takes \"-\"."};
-      if (word == "--" || word == "--force" || word == "--all" || word.starts_with("--limit-seconds"))
+      const std::string option = word.substr(0, word.find('='));
+      if (word == "--" || word == "--force" || word == "--all" || option == "--limit-seconds" ||
+          isUnserved(command, option))
         return Rejection{"request", "A served command does not take " + word + "."};
       if (!word.empty() && word.front() != '-' && (i == 0 || !words[i - 1].starts_with('-')))
         return Rejection{"request", "A served command takes options only, not \"" + word + "\"."};
@@ -309,7 +345,44 @@ class Server {
     return std::nullopt;
   }
 
-  Answer run(const Command& command, const std::string& name, const JsonValue& params) {
+  /// Adds the words by which the command reads what the request gives it.
+  [[nodiscard]] std::optional<Rejection> addInputs(const Command& command, const JsonValue& params,
+                                                   std::vector<std::string>& words,
+                                                   ServedTexts& texts) const {
+    const bool readsDocument =
+        command.servedInput != ServedInput::wish && command.servedInput != ServedInput::number;
+    const bool readsWish =
+        command.servedInput == ServedInput::wish || command.servedInput == ServedInput::documentAndWish;
+    if (readsDocument) {
+      const auto name = documentOf(params);
+      if (!name) return unknownDocument();
+      texts.first = writeMechanism(*m_documents.at(*name));
+    }
+    if (command.servedInput != ServedInput::number) words.emplace_back("-");
+    if (readsWish) {
+      const auto wish = params.member("wish");
+      if (!wish || !wish->is(JsonKind::object))
+        return Rejection{"request", "The member \"wish\" is an object."};
+      (readsDocument ? texts.second : texts.first) = wish->slice();
+      if (readsDocument) words.emplace_back(kSecondInput);
+    }
+    if (command.servedInput == ServedInput::twoDocuments && params.member("with")) {
+      const auto other = documentOf(params, "with");
+      if (!other)
+        return Rejection{"unknown-document", "The member \"with\" is the number that \"open\" has given."};
+      texts.second = writeMechanism(*m_documents.at(*other));
+      words.emplace_back("--with");
+      words.emplace_back(kSecondInput);
+    }
+    if (const auto number = params.member("number")) {
+      if (!number->is(JsonKind::string) || number->string().starts_with('-'))
+        return Rejection{"request", "The member \"number\" is a text, as \"6-1.12.1\"."};
+      words.push_back(number->string());
+    }
+    return std::nullopt;
+  }
+
+  Answer run(const Command& command, const JsonValue& params) {
     std::vector<std::string> words;
     if (const auto given = params.member("arguments")) {
       bool isFine = given->is(JsonKind::array);
@@ -321,9 +394,10 @@ class Server {
       }
       if (!isFine) return Rejection{"request", "\"arguments\" is a list of texts."};
     }
-    if (auto rejection = wrongWord(words)) return *std::move(rejection);
-    words.emplace_back("-");
-    const ServedOutcome outcome = runServed(command, words, writeMechanism(*m_documents.at(name)), m_limits);
+    if (auto rejection = wrongWord(command, words)) return *std::move(rejection);
+    ServedTexts texts;
+    if (auto rejection = addInputs(command, params, words, texts)) return *std::move(rejection);
+    const ServedOutcome outcome = runServed(command, std::move(words), texts, m_limits);
     if (!outcome.status) return Rejection{"limit", outcome.failure};
     return objectOf([&](JsonWriter& json) {
       json.member("status", *outcome.status);
@@ -419,7 +493,7 @@ std::string helpLine(std::string_view name, std::span<const ServedMember> member
 std::string methodsHelp() {
   std::string text = '\n' + translated("Methods and their params; those in [ ] may be left out:") + '\n';
   for (const Server::Method& method : Server::ownMethods()) text += helpLine(method.name, method.members);
-  for (const Command* const command : servedCommands()) text += helpLine(command->name, kCommandMembers);
+  for (const Command* const command : servedCommands()) text += helpLine(command->name, paramsOf(*command));
   text +=
       '\n' + translated("Edits and their members beside \"edit\"; null removes what may be left out:") + '\n';
   for (const ServedEdit& edit : servedEdits()) text += helpLine(edit.name, edit.members);

@@ -92,15 +92,19 @@ bool waitFor(pid_t child, const std::optional<double>& seconds) {
 
 }  // namespace
 
-ServedOutcome runServed(const Command& command, const std::vector<std::string>& words,
-                        const std::string& document, const ServedLimits& limits) {
-  const MemoryFile input("document"), output("output"), messages("messages");
+ServedOutcome runServed(const Command& command, std::vector<std::string> words, const ServedTexts& texts,
+                        const ServedLimits& limits) {
+  const MemoryFile input("input"), second("second"), output("output"), messages("messages");
   ServedOutcome outcome;
-  if (input.descriptor() < 0 || output.descriptor() < 0 || messages.descriptor() < 0) {
+  if (input.descriptor() < 0 || second.descriptor() < 0 || output.descriptor() < 0 ||
+      messages.descriptor() < 0) {
     outcome.failure = "No memory file could be made.";
     return outcome;
   }
-  input.write(document);
+  input.write(texts.first);
+  second.write(texts.second);
+  std::replace(words.begin(), words.end(), std::string(kSecondInput),
+               "/proc/self/fd/" + std::to_string(second.descriptor()));
   const pid_t child = fork();
   if (child < 0) {
     outcome.failure = "No process could be started.";

@@ -24,10 +24,16 @@ struct ServedOutcome {
   std::string failure;   ///< why there is no status, as a sentence
 };
 
-/// Runs a command in a child process, with the document as its standard input ("-" among the words), so that
-/// limits of time and memory terminate only the child, not the server. Cost: a fork. @pre the program has
-/// only one thread
-[[nodiscard]] ServedOutcome runServed(const Command& command, const std::vector<std::string>& words,
-                                      const std::string& document, const ServedLimits& limits);
+/// What a served command reads: "-" among its words is the first text, kSecondInput the second.
+struct ServedTexts {
+  std::string first;
+  std::string second;
+};
+constexpr std::string_view kSecondInput = "/second input/";
+
+/// Runs a command in a child process, with the first text as its standard input, so that limits of time and
+/// memory terminate only the child, not the server. Cost: a fork. @pre the program has only one thread
+[[nodiscard]] ServedOutcome runServed(const Command& command, std::vector<std::string> words,
+                                      const ServedTexts& texts, const ServedLimits& limits);
 
 }  // namespace geargraph::cli

@@ -1,10 +1,12 @@
 // `teeth FILE WISH` and `teeth --check CERTIFICATE`: whole teeth for wanted ratios, and the proof that there
 // are no better ones.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <tuple>
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
@@ -12,6 +14,7 @@
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/design/teeth_check/teeth_check.h"
+#include "core/design/teeth_search/meant_teeth.h"
 #include "core/design/teeth_search/teeth_certificate.h"
 #include "core/design/teeth_search/teeth_json.h"
 #include "core/foundations/base/readable.h"
@@ -117,6 +120,64 @@ int runTeethCheck(const Arguments& arguments, const std::string& path) {
   return print(arguments.has("--json") ? verdictJson(*verdict) : asText(*verdict), status);
 }
 
+std::string asText(const MeantTeeth& meant, std::size_t most) {
+  const TeethProblem& problem = *meant.problem;
+  TextRows drawn{{translated("ratio"), translated("stated"), translated("drawn")}};
+  for (std::size_t i = 0; i < meant.drawn.size(); ++i) {
+    drawn.push_back({std::to_string(i + 1), problem.ratios[i].bounds.wanted.toString(),
+                     (meant.drawn[i] ? meant.drawn[i]->toString() : translated("none")) +
+                         (meant.fits[i] != 0 ? "" : " *")});
+  }
+  std::string text =
+      aligned(translated("Ratios with the drawn teeth; * is not the stated one"), drawn) + '\n';
+  if (meant.changed == 0) return text + translated("The drawn teeth have all stated ratios.") + '\n';
+  if (meant.changed < 0)
+    return text + translated("No teeth near the drawn ones have all stated ratios.") + '\n';
+  TextRows rows{{translated("choice"), translated("instead of the drawn teeth"), translated("error")}};
+  for (std::size_t i = 0; i < std::min(most, meant.choices.size()); ++i) {
+    const MeantChoice& choice = meant.choices[i];
+    std::string changes;
+    for (const int each : choice.changed) {
+      const auto wheel = static_cast<std::size_t>(each);
+      changes += (changes.empty() ? "" : ", ") + problem.wheels[wheel].name + ' ' +
+                 std::to_string(problem.wheels[wheel].drawn) + " -> " +
+                 std::to_string(choice.found.teeth[wheel]);
+    }
+    rows.push_back({std::to_string(i + 1), changes, percentText(choice.found.error)});
+  }
+  return text + aligned(translated("Which teeth were meant? Wheels that differ: %1, choices: %2",
+                                   {std::to_string(meant.changed), std::to_string(meant.choices.size())}),
+                        rows);
+}
+
+/// The wheels and teeth by which --meant may differ from the drawn ones.
+std::variant<MeantTeethOptions, UsageError> meantOptionsFrom(const Arguments& arguments) {
+  MeantTeethOptions options;
+  for (const auto& [name, most, value] : {std::tuple("--wheels", kMostMeantWheels, &options.wheels),
+                                          std::tuple("--by", kMostMeantTeeth, &options.by)}) {
+    const auto word = arguments.value(name);
+    if (!word) continue;
+    const auto number = numberFrom<int>(*word);
+    if (!number || *number < 1 || *number > most)
+      return UsageError{translated("%1 is a whole number, %2 to %3.", {name, "1", std::to_string(most)})};
+    *value = *number;
+  }
+  return options;
+}
+
+int runMeantTeeth(const Arguments& arguments, const PlacedMechanism& drawn, const TeethWish& wish,
+                  std::size_t most) {
+  const auto options = meantOptionsFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kTeeth, error->message);
+  const auto meant = meantTeeth(drawn, wish, std::get<MeantTeethOptions>(options), arguments.stop);
+  if (!meant) {
+    std::cerr << diagnosticLines(arguments.files.front(), meant.error());
+    return kMechanismErrors;
+  }
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the search"));
+  return print(arguments.has("--json") ? meantTeethJson(*meant, most) : asText(*meant, most));
+}
+
 int runTeeth(const Arguments& arguments) {
   if (const auto certificate = arguments.value("--check")) {
     if (!arguments.files.empty() || arguments.has("--certificate") || arguments.has("--limit"))
@@ -146,6 +207,11 @@ int runTeeth(const Arguments& arguments) {
     std::cerr << diagnosticLines(path, wish.error());
     return kUsageOrFile;
   }
+  if (arguments.has("--meant")) return runMeantTeeth(arguments, drawn, *wish, most);
+  for (const char* const option : {"--wheels", "--by"}) {
+    if (arguments.has(option))
+      return wrongUsage(kTeeth, translated("%1 has no meaning without %2.", {option, "--meant"}));
+  }
   TeethSearchOptions options;
   options.most = most;
   const auto answer = teethFor(drawn, *wish, options, arguments.stop);
@@ -171,17 +237,26 @@ constexpr std::array kTeethOptions = {
     Option{"--certificate", "FILE", toTranslate("write what proves that all choices were tried")},
     Option{"--check", "CERTIFICATE", toTranslate("check such a proof, with code of its own")},
     Option{"--json", "", toTranslate("as JSON")},
+    Option{"--meant", "",
+           toTranslate("the ratios are stated ones: which teeth near the drawn ones have them?")},
+    Option{"--wheels", "N", toTranslate("with --meant: wheels that may differ, at most (3)")},
+    Option{"--by", "N", toTranslate("with --meant: teeth by which a wheel may differ (5)")},
 };
+
+constexpr std::array<std::string_view, 2> kTeethUnserved = {"--certificate", "--check"};
 
 }  // namespace
 
 const Command kTeeth = {
     "teeth",
-    "FILE WISH [--limit N] [--certificate FILE] [--json], or --check CERTIFICATE [--json]",
+    "FILE WISH [--limit N] [--certificate FILE] [--json], FILE WISH --meant, or --check CERTIFICATE [--json]",
     toTranslate("Whole teeth with which a drawn train has wanted ratios, all of them or the best."),
     kTeethOptions,
     runTeeth,
     false,
-    false};
+    true,
+    nullptr,
+    ServedInput::documentAndWish,
+    kTeethUnserved};
 
 }  // namespace geargraph::cli

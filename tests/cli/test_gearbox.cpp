@@ -1,5 +1,7 @@
 #include <QDir>
 #include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -22,6 +24,23 @@ QString writtenWish(const QTemporaryDir& folder, const QByteArray& json) {
 const QByteArray kSixSpeedWish = R"({"forward": ["4.171", "2.340", "1.521", "1.143", "0.867", "0.691"],
   "reverse": "3.403", "tolerance": 0.01, "sets": ["simple", "ravigneaux"], "links": 6, "held": 1, "elements": 5,
   "teeth": {"fewest": 15, "mostRing": 110}})";
+
+QByteArray contentsOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Runs a script of resources/cluster with this program.
+void runScript(const char* name, const QStringList& words, const QStringList& variables) {
+  QProcess script;
+  QStringList environment = QProcess::systemEnvironment() + variables;
+  environment << QString("GEARGRAPH_CLI=%1").arg(GEARGRAPH_CLI);
+  script.setEnvironment(environment);
+  script.start("sh", QStringList{QString(SOURCE "/resources/cluster/") + name} + words);
+  QVERIFY(script.waitForFinished(600'000));
+  QVERIFY2(script.exitStatus() == QProcess::NormalExit && script.exitCode() == 0,
+           script.readAllStandardError().constData());
+}
 
 }  // namespace
 
@@ -82,6 +101,44 @@ class TestGearboxCommand : public QObject {
     const QString half = folder.filePath("half.jsonl");
     QCOMPARE(run({"gearbox", "merge", parts[0], parts[3], "--parts", half}).status, 0);
     QCOMPARE(run({"gearbox", "merge", half, parts[1], parts[2], "--json"}).output, whole.output);
+  }
+
+  /// The script for GNU parallel, of which the second run finishes what a killed one has left.
+  void theScriptForParallelGivesTheBytesOfOneRun() {
+    if (QStandardPaths::findExecutable("parallel").isEmpty()) QSKIP("GNU parallel is not installed.");
+    const QTemporaryDir folder;
+    const QString wish = writtenWish(folder, kSixSpeedWish);
+    const QString parts = folder.filePath("parts");
+    QDir().mkpath(parts);
+    QProcess part;  // of another machine, which dies in the middle
+    part.setReadChannel(QProcess::StandardError);
+    part.start(GEARGRAPH_CLI,
+               {"gearbox", wish, "--jobs", "1", "--shard", "2/4", "-o", parts + "/part-2.jsonl"});
+    QVERIFY(part.waitForReadyRead(120'000));
+    part.kill();
+    QVERIFY(part.waitForFinished());
+    QVERIFY(!QFile::exists(parts + "/part-2.jsonl") && QFile::exists(parts + "/part-2.jsonl.part"));
+    const QByteArray left = contentsOf(parts + "/part-2.jsonl.part");
+    QVERIFY(left.contains('\n'));
+    runScript("gearbox-parallel.sh", {wish, "4", parts}, {"HOME=" + folder.path()});
+    QCOMPARE(contentsOf(parts + "/gearboxes.json").toStdString(), run({"gearbox", wish, "--json"}).output);
+    const auto states = contentsOf(parts + "/joblog").split('\n');
+    QCOMPARE(states.size(), 6);  // a head, four parts, the end
+    runScript("gearbox-parallel.sh", {wish, "4", parts}, {"HOME=" + folder.path()});  // nothing is left
+    QCOMPARE(contentsOf(parts + "/gearboxes.json").toStdString(), run({"gearbox", wish, "--json"}).output);
+  }
+
+  /// The script for Slurm as its tasks run it: the number of the task is in the environment.
+  void theScriptForSlurmGivesTheBytesOfOneRun() {
+    const QTemporaryDir folder;
+    const QString wish = writtenWish(folder, kSixSpeedWish);
+    QStringList merge{"gearbox", "merge", "--json"};
+    for (int task = 0; task < 3; ++task) {
+      runScript("gearbox-slurm.sh", {wish, "3", folder.filePath("parts")},
+                {QString("SLURM_ARRAY_TASK_ID=%1").arg(task)});
+      merge << folder.filePath(QString("parts/part-%1.jsonl").arg(task));
+    }
+    QCOMPARE(run(merge).output, run({"gearbox", wish, "--json"}).output);
   }
 
   void aFinishedPartIsLeftAlone() {

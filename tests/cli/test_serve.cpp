@@ -105,6 +105,63 @@ class TestServe : public QObject {
     }
   }
 
+  /// Wishes are members of requests; the answers are the bytes that the command line writes for their files.
+  void designIsServed() {
+    Served served;
+    const auto fromFile = [](const char* name) {
+      QFile file(QString(SOURCE) + "/tests/golden/files/" + name);
+      return file.open(QIODevice::ReadOnly) ? json::parse(file.readAll().constData()) : json();
+    };
+    const auto path = [](const char* name) { return QString(SOURCE) + "/tests/golden/files/" + name; };
+    for (const auto& [command, wish] :
+         {std::pair("gearbox", "gearbox.wish.json"), std::pair("hardware", "hardware.wish.json")}) {
+      const json answer = served.ask(command, {{"wish", fromFile(wish)}, {"arguments", {"--json"}}});
+      QVERIFY2(answer.contains("result"), answer.dump().c_str());
+      QCOMPARE(answer.at("result").at("status").get<int>(), 0);
+      QVERIFY(answer.at("result").at("output") ==
+              json::parse(printed({command, path(wish), "--json"}).constData()));
+    }
+    const std::string simpson = served.open(exampleDocument("simpson"));
+    const QString file = QString(SOURCE) + "/resources/examples/simpson.geargraph";
+    const json identity = served.ask("identify", {{"document", simpson},
+                                                  {"with", served.open(exampleDocument("simpson"))},
+                                                  {"arguments", {"--json"}}});
+    QCOMPARE(identity.at("result").at("output").at("chains"),
+             json::parse(printed({"identify", file, "--json"}).constData()).at("chains"));
+    QVERIFY(identity.at("result").at("output").contains("with"));
+    const json chain = served.ask("atlas", {{"number", "4-1.1.2"}, {"arguments", {"-o", "-"}}});
+    QCOMPARE(chain.at("result").at("output").at("format"), json("geargraph"));
+    const json list = served.ask("atlas", {{"arguments", {"--links", "4", "--json"}}});
+    QCOMPARE(list.at("result").at("output").at("displacementCount"), json(3));
+    const std::string train = served.open(fromFile("two-ring.geargraph"));
+    const json teeth = served.ask(
+        "teeth", {{"document", train}, {"wish", fromFile("two-ring-wish.json")}, {"arguments", {"--json"}}});
+    QCOMPARE(teeth.at("result").at("output"),
+             json::parse(printed({"teeth", path("two-ring.geargraph"), path("two-ring-wish.json"), "--json"})
+                             .constData()));
+  }
+
+  void servedDesignReachesNoFiles() {
+    Served served;
+    const auto codeOf = [&](const char* method, const json& params) {
+      return served.ask(method, params).at("error").at("code").get<std::string>();
+    };
+    const json wish{{"ratios", {"0.75", "1"}}};
+    const std::string document = served.open(robot());
+    QCOMPARE(codeOf("gearbox", {{"wish", wish}, {"arguments", {"--shard", "0/2"}}}), std::string("request"));
+    QCOMPARE(codeOf("gearbox", {{"wish", wish}, {"arguments", {"-o", "folder"}}}), std::string("request"));
+    QCOMPARE(
+        codeOf("teeth", {{"document", document}, {"wish", wish}, {"arguments", {"--certificate", "file"}}}),
+        std::string("request"));
+    QCOMPARE(codeOf("identify", {{"document", document}, {"arguments", {"--with", "/etc/hostname"}}}),
+             std::string("request"));
+    QCOMPARE(codeOf("identify", {{"document", document}, {"with", "99"}}), std::string("unknown-document"));
+    QCOMPARE(codeOf("atlas", {{"arguments", {"--file=/etc/hostname"}}}), std::string("request"));
+    QCOMPARE(codeOf("atlas", {{"number", "--file"}}), std::string("request"));
+    QCOMPARE(codeOf("hardware", {{"wish", "file"}}), std::string("request"));
+    QCOMPARE(codeOf("hardware", {{"wish", wish}, {"document", document}}), std::string("request"));
+  }
+
   void tablesAreOpened() {
     Served served;
     const QByteArray table =
