@@ -50,5 +50,6 @@ void addExporters(py::module_& module);
 void addExercises(py::module_& module);
 void addSets(py::module_& module);
 void addTeeth(py::module_& module);
+void addDesign(py::module_& module);
 
 }  // namespace geargraph::python

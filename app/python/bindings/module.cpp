@@ -7,6 +7,7 @@ PYBIND11_MODULE(_geargraph, module) {
   addEdits(module);
   addSets(module);
   addTeeth(module);
+  addDesign(module);
   addAnalysis(module);
   addSteps(module);
   addStatics(module);

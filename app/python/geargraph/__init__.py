@@ -18,11 +18,16 @@ from __future__ import annotations
 from . import _geargraph, exercises, sets
 from ._analysis import Analysis, Pose
 from ._derivation import Block, Derivation, Equation
+from ._design import (
+    AtlasChain, FoundGearbox, FoundHub, GearboxSearch, HubSearch, atlas, atlas_document, gearbox,
+    hardware,
+)
 from ._dynamics import Dynamics, EquationOfMotion, LinkMass, Motion
 from ._elements import Axis, Coupling, GearMesh, Link, Load, ShiftState, TurningJoint
 from ._errors import Diagnostic, Element, Error
 from ._exporters import Exporter, ExportOption, exporters
 from ._gears import Gear, Mesh3D, Solid
+from ._identity import IdentifiedChain, Identity
 from ._matrix import Heading, Matrix, Quantity
 from ._mechanism import Mechanism, PathLike
 from ._methods import (
@@ -36,14 +41,15 @@ from ._teeth import TeethCheck, TeethChoice, TeethChoices, check_teeth
 __version__: str = _geargraph.version
 
 __all__ = [
-    "Analysis", "Axis", "Balance", "Bearing", "Block", "Coupling", "Derivation", "Diagnostic",
-    "Drawing", "Dynamics", "Efficiency", "Element", "Equation", "EquationOfMotion", "Error",
-    "ExportOption", "Exporter", "Formula", "Gear", "GearMesh", "Heading", "InputSets", "Link",
-    "LinkMass", "Load", "Matrix",
-    "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D", "MeshForce", "Motion", "MotionCheck",
-    "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State", "States", "Statics",
-    "TeethCheck", "TeethChoice", "TeethChoices", "Term", "TransferVertex", "TtGraphMethod", "TtStep",
-    "TurningJoint", "check_teeth", "exercises", "exporters", "loads", "open", "sets",
+    "Analysis", "AtlasChain", "Axis", "Balance", "Bearing", "Block", "Coupling", "Derivation",
+    "Diagnostic", "Drawing", "Dynamics", "Efficiency", "Element", "Equation", "EquationOfMotion",
+    "Error", "ExportOption", "Exporter", "Formula", "FoundGearbox", "FoundHub", "Gear", "GearMesh",
+    "GearboxSearch", "Heading", "HubSearch", "IdentifiedChain", "Identity", "InputSets", "Link",
+    "LinkMass", "Load", "Matrix", "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D",
+    "MeshForce", "Motion", "MotionCheck", "Picture", "Pose", "Quantity", "ShiftState", "Solid",
+    "State", "States", "Statics", "TeethCheck", "TeethChoice", "TeethChoices", "Term",
+    "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint", "atlas", "atlas_document",
+    "check_teeth", "exercises", "exporters", "gearbox", "hardware", "loads", "open", "sets",
 ]
 
 

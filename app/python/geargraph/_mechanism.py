@@ -13,7 +13,7 @@ from ._elements import (
     LISTS, Axis, Coupling, GearMesh, Link, Load, ShiftState, TurningJoint, _Handle, unknown,
 )
 from ._errors import Error
-from ._teeth import TeethSearch
+from ._identity import Identification
 
 if TYPE_CHECKING:
     from ._analysis import Analysis
@@ -33,7 +33,7 @@ def read_bytes(path: PathLike) -> bytes:
         raise Error(f"{os.fspath(path)} could not be read: {why.strerror}.", "file") from why
 
 
-class Mechanism(TeethSearch):
+class Mechanism(Identification):
     """A geared mechanism: links, turning joints, gear meshes, and what acts on them.
 
     Methods that begin with ``add_``, ``set_``, ``remove`` and the like edit it; an edit that is
