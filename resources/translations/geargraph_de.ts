@@ -16274,10 +16274,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Keines: Keine Anordnung dieser Sätze hat so viele Glieder.</translation>
     </message>
     <message>
-        <source>None was found. A larger tolerance, another number of links or elements, or wider limits of ring : sun may help.</source>
-        <translation>Keines gefunden. Eine größere Toleranz, eine andere Zahl von Gliedern oder Schaltelementen oder weitere Grenzen für Hohlrad : Sonne können helfen.</translation>
-    </message>
-    <message>
         <source>Nothing yet.</source>
         <translation>Noch nichts.</translation>
     </message>
@@ -16314,14 +16310,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>beliebig</translation>
     </message>
     <message>
-        <source>%1 in %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
-        <source>none in %1</source>
-        <translation>keiner in %1</translation>
-    </message>
-    <message>
         <source>Which brakes and clutches each gear engages</source>
         <translation>Welche Bremsen und Kupplungen jeder Gang schließt</translation>
     </message>
@@ -16332,10 +16320,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>The least efficiency of a gear; the wish gives that of a mesh</source>
         <translation>Der kleinste Wirkungsgrad eines Gangs; der Wunsch gibt den eines Zahneingriffs an</translation>
-    </message>
-    <message>
-        <source>Sun, planet and ring of each set</source>
-        <translation>Sonne, Planet und Hohlrad jedes Satzes</translation>
     </message>
     <message>
         <source>Can its section be drawn without shafts that cross?</source>
@@ -16350,20 +16334,12 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>kleinstes η</translation>
     </message>
     <message>
-        <source>teeth</source>
-        <translation>Zähne</translation>
-    </message>
-    <message>
         <source>buildable</source>
         <translation>baubar</translation>
     </message>
     <message>
         <source>Gearboxes that were found</source>
         <translation>Gefundene Getriebe</translation>
-    </message>
-    <message>
-        <source>Lever diagram of the chosen gearbox in first gear</source>
-        <translation>Hebelplan des gewählten Getriebes im ersten Gang</translation>
     </message>
     <message>
         <source>Ratios</source>
@@ -16620,10 +16596,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
         <translation>Planetensätze, Bremsen und Kupplungen mit den gewünschten Übersetzungen suchen</translation>
-    </message>
-    <message>
-        <source>Gearbox from the designer</source>
-        <translation>Getriebe aus dem Entwurf</translation>
     </message>
     <message>
         <source>Fewest teeth of a wheel</source>
@@ -17378,10 +17350,6 @@ Radpaare / Steg: %3</translation>
         <translation>Auf und Ab, Tab</translation>
     </message>
     <message>
-        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
-        <translation>Das Getriebe ist ein eigenes Dokument mit einem Schaltzustand für jeden Gang. Speichern behält es.</translation>
-    </message>
-    <message>
         <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
         <translation>Bremsen und Kupplungen, was geschlossen ist, und die Schaltzustände eines Getriebes.</translation>
     </message>
@@ -17432,6 +17400,506 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>Largest ring : sun</source>
         <translation>Größtes Verhältnis Hohlrad : Sonne</translation>
+    </message>
+    <message>
+        <source>a folder for the documents of the candidates</source>
+        <translation>ein Ordner für die Dokumente der Kandidaten</translation>
+    </message>
+    <message>
+        <source>Hub gear</source>
+        <translation>Nabenschaltung</translation>
+    </message>
+    <message>
+        <source>driver</source>
+        <translation>Antreiber</translation>
+    </message>
+    <message>
+        <source>hub shell</source>
+        <translation>Nabenhülse</translation>
+    </message>
+    <message>
+        <source>shaft %1</source>
+        <translation>Welle %1</translation>
+    </message>
+    <message>
+        <source>ring %1</source>
+        <translation>Hohlrad %1</translation>
+    </message>
+    <message>
+        <source>carrier %1</source>
+        <translation>Steg %1</translation>
+    </message>
+    <message>
+        <source>sun %1</source>
+        <translation>Sonne %1</translation>
+    </message>
+    <message>
+        <source>Found from the ratios of a hub gear. One planet of each set is drawn; numbers of equal planets that go in: %1.</source>
+        <translation>Aus den Übersetzungen einer Nabenschaltung gefunden. Von jedem Satz ist ein Planet gezeichnet; mögliche Anzahlen gleicher Planeten: %1.</translation>
+    </message>
+    <message>
+        <source>Gearboxes with the ratios that you want. Space ticks one for comparison, Enter opens it as a document, Esc pauses the search.</source>
+        <translation>Getriebe mit den gewünschten Übersetzungen. Leertaste merkt eines zum Vergleich vor, Eingabe öffnet es als Dokument, Esc hält die Suche an.</translation>
+    </message>
+    <message>
+        <source>Ratios to hardware</source>
+        <translation>Von Übersetzungen zum Innenleben</translation>
+    </message>
+    <message>
+        <source>What may be inside a hub gear with the ratios of its maker&apos;s sheet, and which wheel to count. Enter opens a candidate as a document.</source>
+        <translation>Was in einer Nabenschaltung mit den Übersetzungen des Datenblatts stecken kann und welches Rad zu zählen ist. Eingabe öffnet einen Kandidaten als Dokument.</translation>
+    </message>
+    <message>
+        <source>Finds the planetary sets that may be inside a hub gear with given ratios, and what to count in it.</source>
+        <translation>Findet die Planetensätze, die in einer Nabenschaltung mit gegebenen Übersetzungen stecken können, und was darin zu zählen ist.</translation>
+    </message>
+    <message>
+        <source>Searches for gearboxes with these ratios (Ctrl+Return)</source>
+        <translation>Sucht Getriebe mit diesen Übersetzungen (Strg+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Save wish…</source>
+        <translation>Wunsch sichern…</translation>
+    </message>
+    <message>
+        <source>Writes the wish as a file for geargraph-cli gearbox, which searches on many machines</source>
+        <translation>Schreibt den Wunsch als Datei für geargraph-cli gearbox, das auf vielen Rechnern sucht</translation>
+    </message>
+    <message>
+        <source>This variant exceeds a limit of the wish.</source>
+        <translation>Diese Variante überschreitet eine Grenze des Wunsches.</translation>
+    </message>
+    <message>
+        <source>Save wish</source>
+        <translation>Wunsch sichern</translation>
+    </message>
+    <message>
+        <source>, about %1 s to go</source>
+        <translation>, noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>, about %1 min to go</source>
+        <translation>, noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>None was found: no layout comes near these ratios.&lt;br&gt;More elements, another number of links, another set, or wider limits of ring : sun may help.</source>
+        <translation>Keines gefunden: keine Anordnung kommt diesen Übersetzungen nahe.&lt;br&gt;Mehr Elemente, eine andere Anzahl von Gliedern, ein anderer Satz oder weitere Grenzen von Hohlrad : Sonne können helfen.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 shift tables come near these ratios, but no whole teeth do.&lt;br&gt;A larger tolerance, or rings with more teeth may help.</source>
+        <translation>Keines gefunden: %1 Schalttabellen kommen diesen Übersetzungen nahe, aber keine ganzen Zähnezahlen.&lt;br&gt;Eine größere Toleranz oder Hohlräder mit mehr Zähnen können helfen.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 gearboxes have these ratios, but not so many brakes and clutches.</source>
+        <translation>Keines gefunden: %1 Getriebe haben diese Übersetzungen, aber nicht so viele Bremsen und Kupplungen.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 gearboxes have these ratios, but are beyond the limits at the end of the wish.</source>
+        <translation>Keines gefunden: %1 Getriebe haben diese Übersetzungen, liegen aber jenseits der Grenzen am Ende des Wunsches.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Shows only gearboxes with a property (Ctrl+F); H hides a single one, Ctrl+Z brings it back</source>
+        <translation>Zeigt nur Getriebe mit einer Eigenschaft (Strg+F); H blendet ein einzelnes aus, Strg+Z holt es zurück</translation>
+    </message>
+    <message>
+        <source>There is nothing in which these gearboxes differ.</source>
+        <translation>Es gibt nichts, worin sich diese Getriebe unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Hides %1; a click lets go of it</source>
+        <translation>Blendet %1 aus; ein Klick hebt ihn auf</translation>
+    </message>
+    <message>
+        <source>hidden: %1</source>
+        <translation>ausgeblendet: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shown</source>
+        <translation>%1 von %2 gezeigt</translation>
+    </message>
+    <message>
+        <source>What gearboxes are compared by</source>
+        <translation>Wonach Getriebe verglichen werden</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches with the same speeds, but other torques and slips</source>
+        <translation>Bremsen und Kupplungen mit denselben Drehzahlen, aber anderen Momenten und Schlupf</translation>
+    </message>
+    <message>
+        <source>Schematic of the gearbox</source>
+        <translation>Schema des Getriebes</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3, largest torque %4, largest slip %5</source>
+        <translation>%1: %2 statt %3, größtes Moment %4, größter Schlupf %5</translation>
+    </message>
+    <message>
+        <source>None of them is within the limits of the wish.</source>
+        <translation>Keine davon liegt in den Grenzen des Wunsches.</translation>
+    </message>
+    <message>
+        <source>error ≤ %1 %</source>
+        <translation>Fehler ≤ %1 %</translation>
+    </message>
+    <message>
+        <source>no circulating power</source>
+        <translation>keine Blindleistung</translation>
+    </message>
+    <message>
+        <source>elements ≤ %1</source>
+        <translation>Elemente ≤ %1</translation>
+    </message>
+    <message>
+        <source>brakes ≤ %1</source>
+        <translation>Bremsen ≤ %1</translation>
+    </message>
+    <message>
+        <source>clutches ≤ %1</source>
+        <translation>Kupplungen ≤ %1</translation>
+    </message>
+    <message>
+        <source>worst η ≥ %1</source>
+        <translation>schlechtestes η ≥ %1</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>größter Fehler</translation>
+    </message>
+    <message>
+        <source>worst efficiency</source>
+        <translation>schlechtester Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>circulating power</source>
+        <translation>Blindleistung</translation>
+    </message>
+    <message>
+        <source>fastest member</source>
+        <translation>schnellstes Glied</translation>
+    </message>
+    <message>
+        <source>largest torque</source>
+        <translation>größtes Moment</translation>
+    </message>
+    <message>
+        <source>largest slip</source>
+        <translation>größter Schlupf</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>Spreizung</translation>
+    </message>
+    <message>
+        <source>largest ring</source>
+        <translation>größtes Hohlrad</translation>
+    </message>
+    <message>
+        <source>Tick two to compare them (Space)</source>
+        <translation>Zwei ankreuzen, um sie zu vergleichen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>A bar a set, its links at their exact places; the filled points are input and output</source>
+        <translation>Ein Balken je Satz, seine Glieder an ihren genauen Stellen; gefüllt sind Antrieb und Abtrieb</translation>
+    </message>
+    <message>
+        <source>The speed of the fastest link, as a multiple of the input&apos;s</source>
+        <translation>Die Drehzahl des schnellsten Glieds als Vielfaches der des Antriebs</translation>
+    </message>
+    <message>
+        <source>The largest torque in a brake or clutch, as a multiple of the input&apos;s</source>
+        <translation>Das größte Moment in einer Bremse oder Kupplung als Vielfaches dessen am Antrieb</translation>
+    </message>
+    <message>
+        <source>levers</source>
+        <translation>Hebel</translation>
+    </message>
+    <message>
+        <source>schematic</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Schematic of the candidate</source>
+        <translation>Schema des Kandidaten</translation>
+    </message>
+    <message>
+        <source>Opens this candidate with a state for each gear, in a new window (Return)</source>
+        <translation>Öffnet diesen Kandidaten mit einem Schaltzustand je Gang in einem neuen Fenster (Eingabe)</translation>
+    </message>
+    <message>
+        <source>What can be counted or measured</source>
+        <translation>Was gezählt oder gemessen werden kann</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>andere Zahl</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Eine andere Antwort</translation>
+    </message>
+    <message>
+        <source>This is it, within your limits.</source>
+        <translation>Das ist sie, in Ihren Grenzen.</translation>
+    </message>
+    <message>
+        <source>count %1: leaves %2 at most</source>
+        <translation>%1 zählen: lässt höchstens %2 übrig</translation>
+    </message>
+    <message>
+        <source>turn %1: leaves %2 at most</source>
+        <translation>%1 drehen: lässt höchstens %2 übrig</translation>
+    </message>
+    <message>
+        <source>One measurement decides</source>
+        <translation>Eine Messung entscheidet</translation>
+    </message>
+    <message>
+        <source>No single measurement decides</source>
+        <translation>Keine einzelne Messung entscheidet</translation>
+    </message>
+    <message>
+        <source>Count the teeth of %1. You counted</source>
+        <translation>Zählen Sie die Zähne: %1. Gezählt wurden</translation>
+    </message>
+    <message>
+        <source>Turn the input %1 times in %2. The output turned, in degrees,</source>
+        <translation>Drehen Sie den Antrieb %1-mal (%2). Der Abtrieb drehte sich, in Grad, um</translation>
+    </message>
+    <message>
+        <source>no such wheel</source>
+        <translation>kein solches Rad</translation>
+    </message>
+    <message>
+        <source>leaves %1</source>
+        <translation>lässt %1 übrig</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>Kandidat %1</translation>
+    </message>
+    <message>
+        <source>Choose a candidate of the list.</source>
+        <translation>Wählen Sie einen Kandidaten der Liste.</translation>
+    </message>
+    <message>
+        <source>Wheel over sprocket of each gear as the sheet prints it: typed or pasted</source>
+        <translation>Laufrad zu Ritzel für jeden Gang, wie im Datenblatt: getippt oder eingefügt</translation>
+    </message>
+    <message>
+        <source>0.632 0.741 0.843 …</source>
+        <translation>0,632 0,741 0,843 …</translation>
+    </message>
+    <message>
+        <source>that with 1</source>
+        <translation>der mit 1</translation>
+    </message>
+    <message>
+        <source>The gear that passes the motion through. The others may then be in percent, or metres a turn.</source>
+        <translation>Der Gang, der die Bewegung durchreicht. Die anderen dürfen dann in Prozent oder in Metern je Umdrehung stehen.</translation>
+    </message>
+    <message>
+        <source>direct gear</source>
+        <translation>direkter Gang</translation>
+    </message>
+    <message>
+        <source>rounded as printed</source>
+        <translation>gerundet wie gedruckt</translation>
+    </message>
+    <message>
+        <source>tolerance, %</source>
+        <translation>Toleranz, %</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Was bekannt ist</translation>
+    </message>
+    <message>
+        <source>Planetary sets in series, at most</source>
+        <translation>Planetensätze hintereinander, höchstens</translation>
+    </message>
+    <message>
+        <source>sets in series</source>
+        <translation>Sätze in Reihe</translation>
+    </message>
+    <message>
+        <source>stepped planets</source>
+        <translation>Stufenplaneten</translation>
+    </message>
+    <message>
+        <source>Planets with several wheels, each with a sun of its own</source>
+        <translation>Planeten mit mehreren Rädern, jedes mit eigener Sonne</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>Hohlräder</translation>
+    </message>
+    <message>
+        <source>Teeth by which the sums of one set may differ, made up by profile shift</source>
+        <translation>Zähne, um die sich die Summen eines Satzes unterscheiden dürfen, durch Profilverschiebung ausgeglichen</translation>
+    </message>
+    <message>
+        <source>slack</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Wheels whose teeth have been counted: set and wheel, then the teeth</source>
+        <translation>Räder, deren Zähne gezählt sind: Satz und Rad, dann die Zähne</translation>
+    </message>
+    <message>
+        <source>Counted teeth</source>
+        <translation>Gezählte Zähne</translation>
+    </message>
+    <message>
+        <source>Products of the ratios of two sets</source>
+        <translation>Produkte der Übersetzungen zweier Sätze</translation>
+    </message>
+    <message>
+        <source>Rows: ratios of the first set. Columns: of the second. Gears are products of both.</source>
+        <translation>Zeilen: Übersetzungen des ersten Satzes. Spalten: des zweiten. Gänge sind Produkte beider.</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>durch</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1, ungenutzt</translation>
+    </message>
+    <message>
+        <source>planets %1</source>
+        <translation>Planeten %1</translation>
+    </message>
+    <message>
+        <source>No equal planets at equal distances can be assembled.</source>
+        <translation>Gleiche Planeten in gleichen Abständen lassen sich nicht montieren.</translation>
+    </message>
+    <message>
+        <source>A click takes this answer back</source>
+        <translation>Ein Klick nimmt diese Antwort zurück</translation>
+    </message>
+    <message>
+        <source>Candidates: %1, of %2 tooth sets with these ratios</source>
+        <translation>Kandidaten: %1, von %2 Zahnsätzen mit diesen Übersetzungen</translation>
+    </message>
+    <message>
+        <source>What is inside a hub with these ratios?</source>
+        <translation>Was steckt in einer Nabe mit diesen Übersetzungen?</translation>
+    </message>
+    <message>
+        <source>All tooth sets tried: complete. By set: %1.</source>
+        <translation>Alle Zahnsätze geprüft: vollständig. Je Satz: %1.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche…</translation>
+    </message>
+    <message>
+        <source>Type the ratios of the maker&apos;s sheet and choose Search.&lt;br&gt;A hub with seven gears: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</source>
+        <translation>Tippen Sie die Übersetzungen des Datenblatts und wählen Sie Suchen.&lt;br&gt;Eine Nabe mit sieben Gängen: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>None has this number: was it counted rightly, or are the limits too narrow?</source>
+        <translation>Keiner hat diese Zahl: ist richtig gezählt, oder sind die Grenzen zu eng?</translation>
+    </message>
+    <message>
+        <source>None: some ratio is no product of the others. Are all of them rounded to the same place? More sets may explain them.</source>
+        <translation>Keiner: eine Übersetzung ist kein Produkt der anderen. Sind alle auf dieselbe Stelle gerundet? Mehr Sätze können sie erklären.</translation>
+    </message>
+    <message>
+        <source>the ring of set %1</source>
+        <translation>Hohlrad von Satz %1</translation>
+    </message>
+    <message>
+        <source>sun %2 of set %1</source>
+        <translation>Sonne %2 von Satz %1</translation>
+    </message>
+    <message>
+        <source>planet step %2 of set %1</source>
+        <translation>Planetenstufe %2 von Satz %1</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>Ratios to hardware…</source>
+        <translation>Von Übersetzungen zum Innenleben…</translation>
+    </message>
+    <message>
+        <source>What may be inside a hub gear with these ratios, and what to count</source>
+        <translation>Was in einer Nabenschaltung mit diesen Übersetzungen stecken kann und was zu zählen ist</translation>
+    </message>
+    <message>
+        <source>Closes this tab; what it holds stays</source>
+        <translation>Schließt diese Karte; was darin ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+    <message>
+        <source>Gearbox from ratios…</source>
+        <translation>Getriebe aus Übersetzungen…</translation>
+    </message>
+    <message>
+        <source>This is a document of its own. Save keeps it.</source>
+        <translation>Das ist ein eigenes Dokument. Sichern bewahrt es auf.</translation>
+    </message>
+    <message>
+        <source>Ratios with the drawn teeth; * is not the stated one</source>
+        <translation>Übersetzungen mit den gezeichneten Zähnezahlen; * ist nicht die angegebene</translation>
+    </message>
+    <message>
+        <source>The drawn teeth have all stated ratios.</source>
+        <translation>Die gezeichneten Zähnezahlen haben alle angegebenen Übersetzungen.</translation>
+    </message>
+    <message>
+        <source>No teeth near the drawn ones have all stated ratios.</source>
+        <translation>Keine Zähnezahlen nahe den gezeichneten haben alle angegebenen Übersetzungen.</translation>
+    </message>
+    <message>
+        <source>instead of the drawn teeth</source>
+        <translation>statt der gezeichneten Zähnezahlen</translation>
+    </message>
+    <message>
+        <source>Which teeth were meant? Wheels that differ: %1, choices: %2</source>
+        <translation>Welche Zähnezahlen waren gemeint? Abweichende Räder: %1, Möglichkeiten: %2</translation>
+    </message>
+    <message>
+        <source>the ratios are stated ones: which teeth near the drawn ones have them?</source>
+        <translation>die Übersetzungen sind angegebene: welche Zähnezahlen nahe den gezeichneten haben sie?</translation>
+    </message>
+    <message>
+        <source>with --meant: wheels that may differ, at most (3)</source>
+        <translation>mit --meant: Räder, die abweichen dürfen, höchstens (3)</translation>
+    </message>
+    <message>
+        <source>with --meant: teeth by which a wheel may differ (5)</source>
+        <translation>mit --meant: Zähne, um die ein Rad abweichen darf (5)</translation>
+    </message>
+    <message>
+        <source>Fewest teeth: %1</source>
+        <translation>Wenigste Zähne: %1</translation>
+    </message>
+    <message>
+        <source>Most teeth: %1</source>
+        <translation>Meiste Zähne: %1</translation>
+    </message>
+    <message>
+        <source>Lever diagram of the gearbox</source>
+        <translation>Hebeldiagramm des Getriebes</translation>
+    </message>
+    <message>
+        <source>sun %1.%2</source>
+        <translation>Sonne %1.%2</translation>
+    </message>
+    <message>
+        <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
+        <translation>Keiner: keine ganzen Zähnezahlen in den Grenzen haben diese Übersetzungen. Ein Spielraum von 1 bis 3 oder weitere Grenzen können helfen.</translation>
     </message>
 </context>
 <context>

@@ -16274,10 +16274,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Ninguna: ninguna disposición de estos trenes tiene tantos eslabones.</translation>
     </message>
     <message>
-        <source>None was found. A larger tolerance, another number of links or elements, or wider limits of ring : sun may help.</source>
-        <translation>No se halló ninguna. Puede ayudar una tolerancia mayor, otro número de eslabones o acoplamientos, o límites más amplios de corona : solar.</translation>
-    </message>
-    <message>
         <source>Nothing yet.</source>
         <translation>Todavía nada.</translation>
     </message>
@@ -16314,14 +16310,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>cualquiera</translation>
     </message>
     <message>
-        <source>%1 in %2</source>
-        <translation>%1 en %2</translation>
-    </message>
-    <message>
-        <source>none in %1</source>
-        <translation>ninguno en %1</translation>
-    </message>
-    <message>
         <source>Which brakes and clutches each gear engages</source>
         <translation>Qué frenos y embragues activa cada marcha</translation>
     </message>
@@ -16332,10 +16320,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>The least efficiency of a gear; the wish gives that of a mesh</source>
         <translation>El menor rendimiento de una marcha; el deseo da el de un engrane</translation>
-    </message>
-    <message>
-        <source>Sun, planet and ring of each set</source>
-        <translation>Solar, satélite y corona de cada tren</translation>
     </message>
     <message>
         <source>Can its section be drawn without shafts that cross?</source>
@@ -16350,20 +16334,12 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>peor η</translation>
     </message>
     <message>
-        <source>teeth</source>
-        <translation>dientes</translation>
-    </message>
-    <message>
         <source>buildable</source>
         <translation>realizable</translation>
     </message>
     <message>
         <source>Gearboxes that were found</source>
         <translation>Cajas halladas</translation>
-    </message>
-    <message>
-        <source>Lever diagram of the chosen gearbox in first gear</source>
-        <translation>Diagrama de palancas de la caja elegida en primera marcha</translation>
     </message>
     <message>
         <source>Ratios</source>
@@ -16620,10 +16596,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
         <translation>Buscar trenes epicicloidales, frenos y embragues con las relaciones deseadas</translation>
-    </message>
-    <message>
-        <source>Gearbox from the designer</source>
-        <translation>Caja del diseñador</translation>
     </message>
     <message>
         <source>Fewest teeth of a wheel</source>
@@ -17378,10 +17350,6 @@ pares / portasatélites: %3</translation>
         <translation>Arriba y Abajo, Tab</translation>
     </message>
     <message>
-        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
-        <translation>La caja de cambios es un documento propio, con un estado para cada marcha. Guardar la conserva.</translation>
-    </message>
-    <message>
         <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
         <translation>Frenos y embragues, qué está activo, y los estados de una caja de cambios.</translation>
     </message>
@@ -17432,6 +17400,506 @@ pares / portasatélites: %3</translation>
     <message>
         <source>Largest ring : sun</source>
         <translation>Mayor corona : sol</translation>
+    </message>
+    <message>
+        <source>a folder for the documents of the candidates</source>
+        <translation>una carpeta para los documentos de los candidatos</translation>
+    </message>
+    <message>
+        <source>Hub gear</source>
+        <translation>Cambio de buje</translation>
+    </message>
+    <message>
+        <source>driver</source>
+        <translation>propulsor</translation>
+    </message>
+    <message>
+        <source>hub shell</source>
+        <translation>cuerpo del buje</translation>
+    </message>
+    <message>
+        <source>shaft %1</source>
+        <translation>eje %1</translation>
+    </message>
+    <message>
+        <source>ring %1</source>
+        <translation>corona %1</translation>
+    </message>
+    <message>
+        <source>carrier %1</source>
+        <translation>portasatélites %1</translation>
+    </message>
+    <message>
+        <source>sun %1</source>
+        <translation>solar %1</translation>
+    </message>
+    <message>
+        <source>Found from the ratios of a hub gear. One planet of each set is drawn; numbers of equal planets that go in: %1.</source>
+        <translation>Hallado a partir de las relaciones de un cambio de buje. De cada tren se dibuja un satélite; números de satélites iguales que caben: %1.</translation>
+    </message>
+    <message>
+        <source>Gearboxes with the ratios that you want. Space ticks one for comparison, Enter opens it as a document, Esc pauses the search.</source>
+        <translation>Cajas de cambios con las relaciones deseadas. Espacio marca una para comparar, Intro la abre como documento, Esc pausa la búsqueda.</translation>
+    </message>
+    <message>
+        <source>Ratios to hardware</source>
+        <translation>De relaciones a mecanismo</translation>
+    </message>
+    <message>
+        <source>What may be inside a hub gear with the ratios of its maker&apos;s sheet, and which wheel to count. Enter opens a candidate as a document.</source>
+        <translation>Qué puede haber dentro de un cambio de buje con las relaciones de la hoja del fabricante y qué rueda contar. Intro abre un candidato como documento.</translation>
+    </message>
+    <message>
+        <source>Finds the planetary sets that may be inside a hub gear with given ratios, and what to count in it.</source>
+        <translation>Halla los trenes epicicloidales que puede haber en un cambio de buje con las relaciones dadas y qué contar en él.</translation>
+    </message>
+    <message>
+        <source>Searches for gearboxes with these ratios (Ctrl+Return)</source>
+        <translation>Busca cajas de cambios con estas relaciones (Ctrl+Intro)</translation>
+    </message>
+    <message>
+        <source>Save wish…</source>
+        <translation>Guardar petición…</translation>
+    </message>
+    <message>
+        <source>Writes the wish as a file for geargraph-cli gearbox, which searches on many machines</source>
+        <translation>Escribe la petición como archivo para geargraph-cli gearbox, que busca en muchas máquinas</translation>
+    </message>
+    <message>
+        <source>This variant exceeds a limit of the wish.</source>
+        <translation>Esta variante supera un límite de la petición.</translation>
+    </message>
+    <message>
+        <source>Save wish</source>
+        <translation>Guardar petición</translation>
+    </message>
+    <message>
+        <source>, about %1 s to go</source>
+        <translation>, faltan unos %1 s</translation>
+    </message>
+    <message>
+        <source>, about %1 min to go</source>
+        <translation>, faltan unos %1 min</translation>
+    </message>
+    <message>
+        <source>None was found: no layout comes near these ratios.&lt;br&gt;More elements, another number of links, another set, or wider limits of ring : sun may help.</source>
+        <translation>No se halló ninguna: ninguna disposición se acerca a estas relaciones.&lt;br&gt;Pueden ayudar más elementos, otro número de eslabones, otro tren o límites más amplios de corona : solar.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 shift tables come near these ratios, but no whole teeth do.&lt;br&gt;A larger tolerance, or rings with more teeth may help.</source>
+        <translation>No se halló ninguna: %1 tablas de marchas se acercan a estas relaciones, pero no con dientes enteros.&lt;br&gt;Puede ayudar una tolerancia mayor o coronas con más dientes.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 gearboxes have these ratios, but not so many brakes and clutches.</source>
+        <translation>No se halló ninguna: %1 cajas tienen estas relaciones, pero no ese número de frenos y embragues.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 gearboxes have these ratios, but are beyond the limits at the end of the wish.</source>
+        <translation>No se halló ninguna: %1 cajas tienen estas relaciones, pero superan los límites del final de la petición.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Shows only gearboxes with a property (Ctrl+F); H hides a single one, Ctrl+Z brings it back</source>
+        <translation>Muestra solo cajas con una propiedad (Ctrl+F); H oculta una sola, Ctrl+Z la recupera</translation>
+    </message>
+    <message>
+        <source>There is nothing in which these gearboxes differ.</source>
+        <translation>No hay nada en que difieran estas cajas de cambios.</translation>
+    </message>
+    <message>
+        <source>Hides %1; a click lets go of it</source>
+        <translation>Oculta %1; un clic lo quita</translation>
+    </message>
+    <message>
+        <source>hidden: %1</source>
+        <translation>ocultas: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shown</source>
+        <translation>%1 de %2 mostradas</translation>
+    </message>
+    <message>
+        <source>What gearboxes are compared by</source>
+        <translation>En qué se comparan las cajas de cambios</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches with the same speeds, but other torques and slips</source>
+        <translation>Frenos y embragues con las mismas velocidades, pero otros momentos y deslizamientos</translation>
+    </message>
+    <message>
+        <source>Schematic of the gearbox</source>
+        <translation>Esquema de la caja de cambios</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3, largest torque %4, largest slip %5</source>
+        <translation>%1: %2 en lugar de %3, momento máximo %4, deslizamiento máximo %5</translation>
+    </message>
+    <message>
+        <source>None of them is within the limits of the wish.</source>
+        <translation>Ninguna está dentro de los límites de la petición.</translation>
+    </message>
+    <message>
+        <source>error ≤ %1 %</source>
+        <translation>error ≤ %1 %</translation>
+    </message>
+    <message>
+        <source>no circulating power</source>
+        <translation>sin potencia circulante</translation>
+    </message>
+    <message>
+        <source>elements ≤ %1</source>
+        <translation>elementos ≤ %1</translation>
+    </message>
+    <message>
+        <source>brakes ≤ %1</source>
+        <translation>frenos ≤ %1</translation>
+    </message>
+    <message>
+        <source>clutches ≤ %1</source>
+        <translation>embragues ≤ %1</translation>
+    </message>
+    <message>
+        <source>worst η ≥ %1</source>
+        <translation>peor η ≥ %1</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>worst efficiency</source>
+        <translation>peor rendimiento</translation>
+    </message>
+    <message>
+        <source>circulating power</source>
+        <translation>potencia circulante</translation>
+    </message>
+    <message>
+        <source>fastest member</source>
+        <translation>miembro más rápido</translation>
+    </message>
+    <message>
+        <source>largest torque</source>
+        <translation>momento máximo</translation>
+    </message>
+    <message>
+        <source>largest slip</source>
+        <translation>deslizamiento máximo</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>amplitud</translation>
+    </message>
+    <message>
+        <source>largest ring</source>
+        <translation>corona máxima</translation>
+    </message>
+    <message>
+        <source>Tick two to compare them (Space)</source>
+        <translation>Marque dos para compararlas (Espacio)</translation>
+    </message>
+    <message>
+        <source>A bar a set, its links at their exact places; the filled points are input and output</source>
+        <translation>Una barra por tren, con sus eslabones en su lugar exacto; los puntos llenos son entrada y salida</translation>
+    </message>
+    <message>
+        <source>The speed of the fastest link, as a multiple of the input&apos;s</source>
+        <translation>La velocidad del eslabón más rápido, como múltiplo de la de entrada</translation>
+    </message>
+    <message>
+        <source>The largest torque in a brake or clutch, as a multiple of the input&apos;s</source>
+        <translation>El mayor momento en un freno o embrague, como múltiplo del de entrada</translation>
+    </message>
+    <message>
+        <source>levers</source>
+        <translation>palancas</translation>
+    </message>
+    <message>
+        <source>schematic</source>
+        <translation>esquema</translation>
+    </message>
+    <message>
+        <source>Schematic of the candidate</source>
+        <translation>Esquema del candidato</translation>
+    </message>
+    <message>
+        <source>Opens this candidate with a state for each gear, in a new window (Return)</source>
+        <translation>Abre este candidato con un estado por marcha en una ventana nueva (Intro)</translation>
+    </message>
+    <message>
+        <source>What can be counted or measured</source>
+        <translation>Qué se puede contar o medir</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>otro número</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Otra respuesta</translation>
+    </message>
+    <message>
+        <source>This is it, within your limits.</source>
+        <translation>Es este, dentro de sus límites.</translation>
+    </message>
+    <message>
+        <source>count %1: leaves %2 at most</source>
+        <translation>contar %1: quedan %2 como máximo</translation>
+    </message>
+    <message>
+        <source>turn %1: leaves %2 at most</source>
+        <translation>girar %1: quedan %2 como máximo</translation>
+    </message>
+    <message>
+        <source>One measurement decides</source>
+        <translation>Una medición decide</translation>
+    </message>
+    <message>
+        <source>No single measurement decides</source>
+        <translation>Ninguna medición sola decide</translation>
+    </message>
+    <message>
+        <source>Count the teeth of %1. You counted</source>
+        <translation>Cuente los dientes de %1. Ha contado</translation>
+    </message>
+    <message>
+        <source>Turn the input %1 times in %2. The output turned, in degrees,</source>
+        <translation>Gire la entrada %1 veces en %2. La salida giró, en grados,</translation>
+    </message>
+    <message>
+        <source>no such wheel</source>
+        <translation>no hay tal rueda</translation>
+    </message>
+    <message>
+        <source>leaves %1</source>
+        <translation>quedan %1</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>Candidato %1</translation>
+    </message>
+    <message>
+        <source>Choose a candidate of the list.</source>
+        <translation>Elija un candidato de la lista.</translation>
+    </message>
+    <message>
+        <source>Wheel over sprocket of each gear as the sheet prints it: typed or pasted</source>
+        <translation>Rueda entre piñón de cada marcha como lo imprime la hoja: tecleado o pegado</translation>
+    </message>
+    <message>
+        <source>0.632 0.741 0.843 …</source>
+        <translation>0,632 0,741 0,843 …</translation>
+    </message>
+    <message>
+        <source>that with 1</source>
+        <translation>la de 1</translation>
+    </message>
+    <message>
+        <source>The gear that passes the motion through. The others may then be in percent, or metres a turn.</source>
+        <translation>La marcha que pasa el movimiento directo. Las otras pueden estar entonces en tanto por ciento o en metros por vuelta.</translation>
+    </message>
+    <message>
+        <source>direct gear</source>
+        <translation>marcha directa</translation>
+    </message>
+    <message>
+        <source>rounded as printed</source>
+        <translation>redondeado como se imprime</translation>
+    </message>
+    <message>
+        <source>tolerance, %</source>
+        <translation>tolerancia, %</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Lo que se sabe</translation>
+    </message>
+    <message>
+        <source>Planetary sets in series, at most</source>
+        <translation>Trenes epicicloidales en serie, como máximo</translation>
+    </message>
+    <message>
+        <source>sets in series</source>
+        <translation>trenes en serie</translation>
+    </message>
+    <message>
+        <source>stepped planets</source>
+        <translation>satélites escalonados</translation>
+    </message>
+    <message>
+        <source>Planets with several wheels, each with a sun of its own</source>
+        <translation>Satélites con varias ruedas, cada una con su propio solar</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>coronas</translation>
+    </message>
+    <message>
+        <source>Teeth by which the sums of one set may differ, made up by profile shift</source>
+        <translation>Dientes en que pueden diferir las sumas de un tren, compensados con desplazamiento de perfil</translation>
+    </message>
+    <message>
+        <source>slack</source>
+        <translation>holgura</translation>
+    </message>
+    <message>
+        <source>Wheels whose teeth have been counted: set and wheel, then the teeth</source>
+        <translation>Ruedas cuyos dientes se han contado: tren y rueda, luego los dientes</translation>
+    </message>
+    <message>
+        <source>Counted teeth</source>
+        <translation>Dientes contados</translation>
+    </message>
+    <message>
+        <source>Products of the ratios of two sets</source>
+        <translation>Productos de las relaciones de dos trenes</translation>
+    </message>
+    <message>
+        <source>Rows: ratios of the first set. Columns: of the second. Gears are products of both.</source>
+        <translation>Filas: relaciones del primer tren. Columnas: del segundo. Las marchas son productos de ambos.</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>directo</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1, no usado</translation>
+    </message>
+    <message>
+        <source>planets %1</source>
+        <translation>satélites %1</translation>
+    </message>
+    <message>
+        <source>No equal planets at equal distances can be assembled.</source>
+        <translation>No se pueden montar satélites iguales a distancias iguales.</translation>
+    </message>
+    <message>
+        <source>A click takes this answer back</source>
+        <translation>Un clic retira esta respuesta</translation>
+    </message>
+    <message>
+        <source>Candidates: %1, of %2 tooth sets with these ratios</source>
+        <translation>Candidatos: %1, de %2 juegos de dientes con estas relaciones</translation>
+    </message>
+    <message>
+        <source>What is inside a hub with these ratios?</source>
+        <translation>¿Qué hay dentro de un buje con estas relaciones?</translation>
+    </message>
+    <message>
+        <source>All tooth sets tried: complete. By set: %1.</source>
+        <translation>Probados todos los juegos de dientes: completo. Por tren: %1.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message>
+        <source>Type the ratios of the maker&apos;s sheet and choose Search.&lt;br&gt;A hub with seven gears: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</source>
+        <translation>Teclee las relaciones de la hoja del fabricante y elija Buscar.&lt;br&gt;Un buje de siete marchas: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>None has this number: was it counted rightly, or are the limits too narrow?</source>
+        <translation>Ninguno tiene este número: ¿se contó bien o son demasiado estrechos los límites?</translation>
+    </message>
+    <message>
+        <source>None: some ratio is no product of the others. Are all of them rounded to the same place? More sets may explain them.</source>
+        <translation>Ninguno: alguna relación no es producto de las otras. ¿Están todas redondeadas a la misma cifra? Más trenes pueden explicarlas.</translation>
+    </message>
+    <message>
+        <source>the ring of set %1</source>
+        <translation>la corona del tren %1</translation>
+    </message>
+    <message>
+        <source>sun %2 of set %1</source>
+        <translation>solar %2 del tren %1</translation>
+    </message>
+    <message>
+        <source>planet step %2 of set %1</source>
+        <translation>escalón %2 del satélite del tren %1</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Ratios to hardware…</source>
+        <translation>De relaciones a mecanismo…</translation>
+    </message>
+    <message>
+        <source>What may be inside a hub gear with these ratios, and what to count</source>
+        <translation>Qué puede haber en un cambio de buje con estas relaciones y qué contar</translation>
+    </message>
+    <message>
+        <source>Closes this tab; what it holds stays</source>
+        <translation>Cierra esta pestaña; lo que contiene se conserva</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>Cerrar %1</translation>
+    </message>
+    <message>
+        <source>Gearbox from ratios…</source>
+        <translation>Caja de cambios por relaciones…</translation>
+    </message>
+    <message>
+        <source>This is a document of its own. Save keeps it.</source>
+        <translation>Es un documento propio. Guardar lo conserva.</translation>
+    </message>
+    <message>
+        <source>Ratios with the drawn teeth; * is not the stated one</source>
+        <translation>Relaciones con los dientes dibujados; * no es la indicada</translation>
+    </message>
+    <message>
+        <source>The drawn teeth have all stated ratios.</source>
+        <translation>Los dientes dibujados dan todas las relaciones indicadas.</translation>
+    </message>
+    <message>
+        <source>No teeth near the drawn ones have all stated ratios.</source>
+        <translation>Ningún número de dientes próximo a los dibujados da todas las relaciones indicadas.</translation>
+    </message>
+    <message>
+        <source>instead of the drawn teeth</source>
+        <translation>en lugar de los dientes dibujados</translation>
+    </message>
+    <message>
+        <source>Which teeth were meant? Wheels that differ: %1, choices: %2</source>
+        <translation>¿Qué dientes se querían decir? Ruedas que difieren: %1, opciones: %2</translation>
+    </message>
+    <message>
+        <source>the ratios are stated ones: which teeth near the drawn ones have them?</source>
+        <translation>las relaciones son las indicadas: ¿qué dientes próximos a los dibujados las dan?</translation>
+    </message>
+    <message>
+        <source>with --meant: wheels that may differ, at most (3)</source>
+        <translation>con --meant: ruedas que pueden diferir, como máximo (3)</translation>
+    </message>
+    <message>
+        <source>with --meant: teeth by which a wheel may differ (5)</source>
+        <translation>con --meant: dientes en que puede diferir una rueda (5)</translation>
+    </message>
+    <message>
+        <source>Fewest teeth: %1</source>
+        <translation>Menos dientes: %1</translation>
+    </message>
+    <message>
+        <source>Most teeth: %1</source>
+        <translation>Más dientes: %1</translation>
+    </message>
+    <message>
+        <source>Lever diagram of the gearbox</source>
+        <translation>Diagrama de palancas de la caja de cambios</translation>
+    </message>
+    <message>
+        <source>sun %1.%2</source>
+        <translation>solar %1.%2</translation>
+    </message>
+    <message>
+        <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
+        <translation>Ninguno: ningún número entero de dientes dentro de los límites da estas relaciones. Puede ayudar una holgura de 1 a 3 o límites más amplios.</translation>
     </message>
 </context>
 <context>

@@ -16273,10 +16273,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>Yok: bu takımların hiçbir düzeninde bu kadar uzuv yok.</translation>
     </message>
     <message>
-        <source>None was found. A larger tolerance, another number of links or elements, or wider limits of ring : sun may help.</source>
-        <translation>Bulunamadı. Daha büyük bir tolerans, başka bir uzuv veya eleman sayısı ya da çember : güneş için daha geniş sınırlar işe yarayabilir.</translation>
-    </message>
-    <message>
         <source>Nothing yet.</source>
         <translation>Henüz bir şey yok.</translation>
     </message>
@@ -16313,14 +16309,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>herhangi</translation>
     </message>
     <message>
-        <source>%1 in %2</source>
-        <translation>%2: %1</translation>
-    </message>
-    <message>
-        <source>none in %1</source>
-        <translation>%1: yok</translation>
-    </message>
-    <message>
         <source>Which brakes and clutches each gear engages</source>
         <translation>Her vitesin devreye aldığı frenler ve kavramalar</translation>
     </message>
@@ -16331,10 +16319,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>The least efficiency of a gear; the wish gives that of a mesh</source>
         <translation>Bir vitesin en düşük verimi; dişli çiftininkini istek verir</translation>
-    </message>
-    <message>
-        <source>Sun, planet and ring of each set</source>
-        <translation>Her takımın güneşi, gezegeni ve çemberi</translation>
     </message>
     <message>
         <source>Can its section be drawn without shafts that cross?</source>
@@ -16349,20 +16333,12 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>en düşük η</translation>
     </message>
     <message>
-        <source>teeth</source>
-        <translation>dişler</translation>
-    </message>
-    <message>
         <source>buildable</source>
         <translation>yapılabilir</translation>
     </message>
     <message>
         <source>Gearboxes that were found</source>
         <translation>Bulunan şanzımanlar</translation>
-    </message>
-    <message>
-        <source>Lever diagram of the chosen gearbox in first gear</source>
-        <translation>Seçilen şanzımanın birinci vitesteki kol diyagramı</translation>
     </message>
     <message>
         <source>Ratios</source>
@@ -16619,10 +16595,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
     <message>
         <source>Search for planetary sets, brakes and clutches that have the ratios you want</source>
         <translation>İstediğiniz oranları veren planet dişli takımlarını, frenleri ve kavramaları arar</translation>
-    </message>
-    <message>
-        <source>Gearbox from the designer</source>
-        <translation>Tasarımdan gelen şanzıman</translation>
     </message>
     <message>
         <source>Fewest teeth of a wheel</source>
@@ -17377,10 +17349,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>Yukarı ve Aşağı, Tab</translation>
     </message>
     <message>
-        <source>The gearbox is a document of its own, with a state for each gear. Save keeps it.</source>
-        <translation>Dişli kutusu, her vites için bir durumu olan ayrı bir belgedir. Kaydet onu saklar.</translation>
-    </message>
-    <message>
         <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
         <translation>Frenler ve kavramalar, neyin devrede olduğu ve bir şanzımanın durumları.</translation>
     </message>
@@ -17431,6 +17399,506 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>Largest ring : sun</source>
         <translation>En büyük çember : güneş</translation>
+    </message>
+    <message>
+        <source>a folder for the documents of the candidates</source>
+        <translation>adayların belgeleri için bir klasör</translation>
+    </message>
+    <message>
+        <source>Hub gear</source>
+        <translation>Göbek vitesi</translation>
+    </message>
+    <message>
+        <source>driver</source>
+        <translation>sürücü</translation>
+    </message>
+    <message>
+        <source>hub shell</source>
+        <translation>göbek gövdesi</translation>
+    </message>
+    <message>
+        <source>shaft %1</source>
+        <translation>mil %1</translation>
+    </message>
+    <message>
+        <source>ring %1</source>
+        <translation>çember %1</translation>
+    </message>
+    <message>
+        <source>carrier %1</source>
+        <translation>taşıyıcı %1</translation>
+    </message>
+    <message>
+        <source>sun %1</source>
+        <translation>güneş %1</translation>
+    </message>
+    <message>
+        <source>Found from the ratios of a hub gear. One planet of each set is drawn; numbers of equal planets that go in: %1.</source>
+        <translation>Bir göbek vitesinin oranlarından bulundu. Her takımdan bir gezegen çizildi; yerleştirilebilen eş gezegen sayıları: %1.</translation>
+    </message>
+    <message>
+        <source>Gearboxes with the ratios that you want. Space ticks one for comparison, Enter opens it as a document, Esc pauses the search.</source>
+        <translation>İstediğiniz oranlara sahip şanzımanlar. Boşluk tuşu karşılaştırma için işaretler, Enter belge olarak açar, Esc aramayı duraklatır.</translation>
+    </message>
+    <message>
+        <source>Ratios to hardware</source>
+        <translation>Oranlardan donanıma</translation>
+    </message>
+    <message>
+        <source>What may be inside a hub gear with the ratios of its maker&apos;s sheet, and which wheel to count. Enter opens a candidate as a document.</source>
+        <translation>Üretici sayfasındaki oranlara göre göbek vitesinin içinde ne olabilir ve hangi dişli sayılmalı. Enter bir adayı belge olarak açar.</translation>
+    </message>
+    <message>
+        <source>Finds the planetary sets that may be inside a hub gear with given ratios, and what to count in it.</source>
+        <translation>Verilen oranlara sahip bir göbek vitesinin içindeki olası planet dişli takımlarını ve nelerin sayılacağını bulur.</translation>
+    </message>
+    <message>
+        <source>Searches for gearboxes with these ratios (Ctrl+Return)</source>
+        <translation>Bu oranlara sahip şanzımanları arar (Ctrl+Enter)</translation>
+    </message>
+    <message>
+        <source>Save wish…</source>
+        <translation>İsteği kaydet…</translation>
+    </message>
+    <message>
+        <source>Writes the wish as a file for geargraph-cli gearbox, which searches on many machines</source>
+        <translation>İsteği, birçok makinede arayan geargraph-cli gearbox için dosya olarak yazar</translation>
+    </message>
+    <message>
+        <source>This variant exceeds a limit of the wish.</source>
+        <translation>Bu varyant isteğin bir sınırını aşıyor.</translation>
+    </message>
+    <message>
+        <source>Save wish</source>
+        <translation>İsteği kaydet</translation>
+    </message>
+    <message>
+        <source>, about %1 s to go</source>
+        <translation>, yaklaşık %1 s kaldı</translation>
+    </message>
+    <message>
+        <source>, about %1 min to go</source>
+        <translation>, yaklaşık %1 dk kaldı</translation>
+    </message>
+    <message>
+        <source>None was found: no layout comes near these ratios.&lt;br&gt;More elements, another number of links, another set, or wider limits of ring : sun may help.</source>
+        <translation>Bulunamadı: hiçbir düzen bu oranlara yaklaşmıyor.&lt;br&gt;Daha çok eleman, başka sayıda uzuv, başka bir takım veya daha geniş çember : güneş sınırları yardımcı olabilir.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 shift tables come near these ratios, but no whole teeth do.&lt;br&gt;A larger tolerance, or rings with more teeth may help.</source>
+        <translation>Bulunamadı: %1 vites tablosu bu oranlara yaklaşıyor, ama tam diş sayıları yaklaşmıyor.&lt;br&gt;Daha büyük bir tolerans veya daha çok dişli çemberler yardımcı olabilir.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 gearboxes have these ratios, but not so many brakes and clutches.</source>
+        <translation>Bulunamadı: %1 şanzıman bu oranlara sahip, ama bu sayıda fren ve kavraması yok.</translation>
+    </message>
+    <message>
+        <source>None was found: %1 gearboxes have these ratios, but are beyond the limits at the end of the wish.</source>
+        <translation>Bulunamadı: %1 şanzıman bu oranlara sahip, ama isteğin sonundaki sınırların dışında.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Süzgeç</translation>
+    </message>
+    <message>
+        <source>Shows only gearboxes with a property (Ctrl+F); H hides a single one, Ctrl+Z brings it back</source>
+        <translation>Yalnızca bir özelliği olan şanzımanları gösterir (Ctrl+F); H tek birini gizler, Ctrl+Z geri getirir</translation>
+    </message>
+    <message>
+        <source>There is nothing in which these gearboxes differ.</source>
+        <translation>Bu şanzımanların farklılaştığı bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Hides %1; a click lets go of it</source>
+        <translation>%1 tanesini gizler; tıklama kaldırır</translation>
+    </message>
+    <message>
+        <source>hidden: %1</source>
+        <translation>gizli: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shown</source>
+        <translation>%1 / %2 gösteriliyor</translation>
+    </message>
+    <message>
+        <source>What gearboxes are compared by</source>
+        <translation>Şanzımanların karşılaştırma ölçütleri</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches with the same speeds, but other torques and slips</source>
+        <translation>Aynı hızları ama başka tork ve kaymaları veren fren ve kavramalar</translation>
+    </message>
+    <message>
+        <source>Schematic of the gearbox</source>
+        <translation>Şanzımanın şeması</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3, largest torque %4, largest slip %5</source>
+        <translation>%1: %3 yerine %2, en büyük tork %4, en büyük kayma %5</translation>
+    </message>
+    <message>
+        <source>None of them is within the limits of the wish.</source>
+        <translation>Hiçbiri isteğin sınırları içinde değil.</translation>
+    </message>
+    <message>
+        <source>error ≤ %1 %</source>
+        <translation>hata ≤ %1 %</translation>
+    </message>
+    <message>
+        <source>no circulating power</source>
+        <translation>dolaşan güç yok</translation>
+    </message>
+    <message>
+        <source>elements ≤ %1</source>
+        <translation>eleman ≤ %1</translation>
+    </message>
+    <message>
+        <source>brakes ≤ %1</source>
+        <translation>fren ≤ %1</translation>
+    </message>
+    <message>
+        <source>clutches ≤ %1</source>
+        <translation>kavrama ≤ %1</translation>
+    </message>
+    <message>
+        <source>worst η ≥ %1</source>
+        <translation>en kötü η ≥ %1</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>en büyük hata</translation>
+    </message>
+    <message>
+        <source>worst efficiency</source>
+        <translation>en kötü verim</translation>
+    </message>
+    <message>
+        <source>circulating power</source>
+        <translation>dolaşan güç</translation>
+    </message>
+    <message>
+        <source>fastest member</source>
+        <translation>en hızlı uzuv</translation>
+    </message>
+    <message>
+        <source>largest torque</source>
+        <translation>en büyük tork</translation>
+    </message>
+    <message>
+        <source>largest slip</source>
+        <translation>en büyük kayma</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>aralık</translation>
+    </message>
+    <message>
+        <source>largest ring</source>
+        <translation>en büyük çember</translation>
+    </message>
+    <message>
+        <source>Tick two to compare them (Space)</source>
+        <translation>Karşılaştırmak için ikisini işaretleyin (Boşluk)</translation>
+    </message>
+    <message>
+        <source>A bar a set, its links at their exact places; the filled points are input and output</source>
+        <translation>Her takım için bir çubuk, uzuvları tam yerlerinde; dolu noktalar giriş ve çıkıştır</translation>
+    </message>
+    <message>
+        <source>The speed of the fastest link, as a multiple of the input&apos;s</source>
+        <translation>En hızlı uzvun hızı, girişin katı olarak</translation>
+    </message>
+    <message>
+        <source>The largest torque in a brake or clutch, as a multiple of the input&apos;s</source>
+        <translation>Bir fren veya kavramadaki en büyük tork, girişin katı olarak</translation>
+    </message>
+    <message>
+        <source>levers</source>
+        <translation>kaldıraçlar</translation>
+    </message>
+    <message>
+        <source>schematic</source>
+        <translation>şema</translation>
+    </message>
+    <message>
+        <source>Schematic of the candidate</source>
+        <translation>Adayın şeması</translation>
+    </message>
+    <message>
+        <source>Opens this candidate with a state for each gear, in a new window (Return)</source>
+        <translation>Bu adayı her vites için bir durumla yeni pencerede açar (Enter)</translation>
+    </message>
+    <message>
+        <source>What can be counted or measured</source>
+        <translation>Sayılabilecek veya ölçülebilecek şeyler</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>başka bir sayı</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Başka bir yanıt</translation>
+    </message>
+    <message>
+        <source>This is it, within your limits.</source>
+        <translation>Sınırlarınız içinde, bu odur.</translation>
+    </message>
+    <message>
+        <source>count %1: leaves %2 at most</source>
+        <translation>%1 say: en çok %2 kalır</translation>
+    </message>
+    <message>
+        <source>turn %1: leaves %2 at most</source>
+        <translation>%1 döndür: en çok %2 kalır</translation>
+    </message>
+    <message>
+        <source>One measurement decides</source>
+        <translation>Tek ölçüm karar verir</translation>
+    </message>
+    <message>
+        <source>No single measurement decides</source>
+        <translation>Tek bir ölçüm karar vermiyor</translation>
+    </message>
+    <message>
+        <source>Count the teeth of %1. You counted</source>
+        <translation>Dişleri sayın: %1. Saydığınız</translation>
+    </message>
+    <message>
+        <source>Turn the input %1 times in %2. The output turned, in degrees,</source>
+        <translation>Girişi %1 kez döndürün (%2). Çıkış derece olarak şu kadar döndü:</translation>
+    </message>
+    <message>
+        <source>no such wheel</source>
+        <translation>böyle dişli yok</translation>
+    </message>
+    <message>
+        <source>leaves %1</source>
+        <translation>%1 kalır</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>Aday %1</translation>
+    </message>
+    <message>
+        <source>Choose a candidate of the list.</source>
+        <translation>Listeden bir aday seçin.</translation>
+    </message>
+    <message>
+        <source>Wheel over sprocket of each gear as the sheet prints it: typed or pasted</source>
+        <translation>Her vites için sayfada yazdığı gibi tekerlek / zincir dişlisi: yazılmış veya yapıştırılmış</translation>
+    </message>
+    <message>
+        <source>0.632 0.741 0.843 …</source>
+        <translation>0,632 0,741 0,843 …</translation>
+    </message>
+    <message>
+        <source>that with 1</source>
+        <translation>1 olan</translation>
+    </message>
+    <message>
+        <source>The gear that passes the motion through. The others may then be in percent, or metres a turn.</source>
+        <translation>Hareketi doğrudan geçiren vites. Diğerleri o zaman yüzde veya tur başına metre olabilir.</translation>
+    </message>
+    <message>
+        <source>direct gear</source>
+        <translation>doğrudan vites</translation>
+    </message>
+    <message>
+        <source>rounded as printed</source>
+        <translation>yazıldığı gibi yuvarlanmış</translation>
+    </message>
+    <message>
+        <source>tolerance, %</source>
+        <translation>tolerans, %</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Bilinenler</translation>
+    </message>
+    <message>
+        <source>Planetary sets in series, at most</source>
+        <translation>Seri planet dişli takımları, en çok</translation>
+    </message>
+    <message>
+        <source>sets in series</source>
+        <translation>seri takımlar</translation>
+    </message>
+    <message>
+        <source>stepped planets</source>
+        <translation>kademeli gezegenler</translation>
+    </message>
+    <message>
+        <source>Planets with several wheels, each with a sun of its own</source>
+        <translation>Her biri kendi güneşine sahip birkaç dişlili gezegenler</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <translation>çemberler</translation>
+    </message>
+    <message>
+        <source>Teeth by which the sums of one set may differ, made up by profile shift</source>
+        <translation>Bir takımın toplamlarının farklı olabileceği diş sayısı, profil kaydırmayla karşılanır</translation>
+    </message>
+    <message>
+        <source>slack</source>
+        <translation>pay</translation>
+    </message>
+    <message>
+        <source>Wheels whose teeth have been counted: set and wheel, then the teeth</source>
+        <translation>Dişleri sayılmış dişliler: takım ve dişli, sonra diş sayısı</translation>
+    </message>
+    <message>
+        <source>Counted teeth</source>
+        <translation>Sayılan dişler</translation>
+    </message>
+    <message>
+        <source>Products of the ratios of two sets</source>
+        <translation>İki takımın oranlarının çarpımları</translation>
+    </message>
+    <message>
+        <source>Rows: ratios of the first set. Columns: of the second. Gears are products of both.</source>
+        <translation>Satırlar: birinci takımın oranları. Sütunlar: ikincinin. Vitesler ikisinin çarpımlarıdır.</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>doğrudan</translation>
+    </message>
+    <message>
+        <source>%1, not used</source>
+        <translation>%1, kullanılmıyor</translation>
+    </message>
+    <message>
+        <source>planets %1</source>
+        <translation>gezegenler %1</translation>
+    </message>
+    <message>
+        <source>No equal planets at equal distances can be assembled.</source>
+        <translation>Eşit aralıklı eş gezegenler takılamaz.</translation>
+    </message>
+    <message>
+        <source>A click takes this answer back</source>
+        <translation>Tıklama bu yanıtı geri alır</translation>
+    </message>
+    <message>
+        <source>Candidates: %1, of %2 tooth sets with these ratios</source>
+        <translation>Adaylar: %1, bu oranlara sahip %2 diş takımından</translation>
+    </message>
+    <message>
+        <source>What is inside a hub with these ratios?</source>
+        <translation>Bu oranlara sahip bir göbeğin içinde ne var?</translation>
+    </message>
+    <message>
+        <source>All tooth sets tried: complete. By set: %1.</source>
+        <translation>Tüm diş takımları denendi: eksiksiz. Takım başına: %1.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Aranıyor…</translation>
+    </message>
+    <message>
+        <source>Type the ratios of the maker&apos;s sheet and choose Search.&lt;br&gt;A hub with seven gears: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</source>
+        <translation>Üretici sayfasındaki oranları yazın ve Ara&apos;yı seçin.&lt;br&gt;Yedi vitesli bir göbek: &lt;a href=&quot;example&quot;&gt;%1&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>None has this number: was it counted rightly, or are the limits too narrow?</source>
+        <translation>Hiçbirinde bu sayı yok: doğru mu sayıldı, yoksa sınırlar çok mu dar?</translation>
+    </message>
+    <message>
+        <source>None: some ratio is no product of the others. Are all of them rounded to the same place? More sets may explain them.</source>
+        <translation>Yok: bir oran diğerlerinin çarpımı değil. Hepsi aynı basamağa mı yuvarlanmış? Daha çok takım açıklayabilir.</translation>
+    </message>
+    <message>
+        <source>the ring of set %1</source>
+        <translation>takım %1 çemberi</translation>
+    </message>
+    <message>
+        <source>sun %2 of set %1</source>
+        <translation>takım %1 güneş %2</translation>
+    </message>
+    <message>
+        <source>planet step %2 of set %1</source>
+        <translation>takım %1 gezegen kademesi %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Ratios to hardware…</source>
+        <translation>Oranlardan donanıma…</translation>
+    </message>
+    <message>
+        <source>What may be inside a hub gear with these ratios, and what to count</source>
+        <translation>Bu oranlara sahip bir göbek vitesinin içinde ne olabilir ve ne sayılmalı</translation>
+    </message>
+    <message>
+        <source>Closes this tab; what it holds stays</source>
+        <translation>Bu sekmeyi kapatır; içindekiler kalır</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 sekmesini kapat</translation>
+    </message>
+    <message>
+        <source>Gearbox from ratios…</source>
+        <translation>Oranlardan şanzıman…</translation>
+    </message>
+    <message>
+        <source>This is a document of its own. Save keeps it.</source>
+        <translation>Bu ayrı bir belgedir. Kaydet onu saklar.</translation>
+    </message>
+    <message>
+        <source>Ratios with the drawn teeth; * is not the stated one</source>
+        <translation>Çizilen diş sayılarıyla oranlar; * belirtilen oran değil</translation>
+    </message>
+    <message>
+        <source>The drawn teeth have all stated ratios.</source>
+        <translation>Çizilen diş sayıları belirtilen tüm oranları veriyor.</translation>
+    </message>
+    <message>
+        <source>No teeth near the drawn ones have all stated ratios.</source>
+        <translation>Çizilenlere yakın hiçbir diş sayısı belirtilen tüm oranları vermiyor.</translation>
+    </message>
+    <message>
+        <source>instead of the drawn teeth</source>
+        <translation>çizilen diş sayıları yerine</translation>
+    </message>
+    <message>
+        <source>Which teeth were meant? Wheels that differ: %1, choices: %2</source>
+        <translation>Hangi diş sayıları kastedildi? Farklı dişliler: %1, seçenekler: %2</translation>
+    </message>
+    <message>
+        <source>the ratios are stated ones: which teeth near the drawn ones have them?</source>
+        <translation>oranlar belirtilmiş olanlardır: çizilenlere yakın hangi diş sayıları bunları verir?</translation>
+    </message>
+    <message>
+        <source>with --meant: wheels that may differ, at most (3)</source>
+        <translation>--meant ile: farklı olabilecek dişliler, en çok (3)</translation>
+    </message>
+    <message>
+        <source>with --meant: teeth by which a wheel may differ (5)</source>
+        <translation>--meant ile: bir dişlinin farklı olabileceği diş sayısı (5)</translation>
+    </message>
+    <message>
+        <source>Fewest teeth: %1</source>
+        <translation>En az diş: %1</translation>
+    </message>
+    <message>
+        <source>Most teeth: %1</source>
+        <translation>En çok diş: %1</translation>
+    </message>
+    <message>
+        <source>Lever diagram of the gearbox</source>
+        <translation>Şanzımanın kaldıraç diyagramı</translation>
+    </message>
+    <message>
+        <source>sun %1.%2</source>
+        <translation>güneş %1.%2</translation>
+    </message>
+    <message>
+        <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
+        <translation>Yok: sınırlar içinde bu oranlara sahip tam diş sayısı yok. 1 ile 3 arası bir pay veya daha geniş sınırlar yardımcı olabilir.</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,6 @@
 #include "ui/atlas/chain_picture.h"
 
 #include <QPainter>
-#include <algorithm>
 
 #include "ui/canvas/mark_painter.h"
 #include "ui/theme/theme_colors.h"
@@ -18,14 +17,8 @@ void paintChain(QPainter& painter, const DisplayList& drawing, const QRectF& are
   if (drawing.marks.empty()) return;
   painter.save();
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-  const QRectF all = toQRect(extentOf(drawing));
   const QRectF room = area.adjusted(kPictureMargin, kPictureMargin, -kPictureMargin, -kPictureMargin);
-  const double scale =
-      std::min({room.width() / all.width(), room.height() / all.height(), kLargestPictureScale});
-  painter.translate(room.center());
-  painter.scale(scale, scale);
-  painter.translate(-all.center());
-  paintMarks(painter, drawing.marks, theme, scale);
+  paintFitted(painter, drawing, room, theme, kLargestPictureScale);
   painter.restore();
 }
 

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QTextLayout>
+#include <algorithm>
 #include <optional>
 
 namespace geargraph::inline canvas {
@@ -166,6 +167,20 @@ struct MarkPainter {
 
 void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, double scale) {
   for (const Mark& mark : marks) std::visit(MarkPainter{painter, theme, scale, mark.role}, mark.what);
+}
+
+void paintFitted(QPainter& painter, const DisplayList& drawing, const QRectF& area, Theme theme,
+                 double largest) {
+  if (drawing.marks.empty()) return;
+  const QRectF all = toQRect(extentOf(drawing));
+  const double scale = std::min(
+      {area.width() / std::max(all.width(), 1.0), area.height() / std::max(all.height(), 1.0), largest});
+  painter.save();
+  painter.translate(area.center());
+  painter.scale(scale, scale);
+  painter.translate(-all.center());
+  paintMarks(painter, drawing.marks, theme, scale);
+  painter.restore();
 }
 
 }  // namespace geargraph::inline canvas

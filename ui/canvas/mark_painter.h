@@ -28,4 +28,9 @@ namespace geargraph::inline canvas {
 /// sheet; marks too small to be visible are left out.
 void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, double scale);
 
+/// Paints a drawing in the middle of an area, as large as it fits, but at most `largest` pixels per unit of
+/// the sheet. An empty one is not painted.
+void paintFitted(QPainter& painter, const DisplayList& drawing, const QRectF& area, Theme theme,
+                 double largest);
+
 }  // namespace geargraph::inline canvas

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
+#include <map>
 
 #include "ui/designer/designer_services.h"
 #include "ui/views/results_view.h"
@@ -14,12 +16,14 @@ class QTimer;
 
 namespace geargraph::inline designer {
 
+class FilterBar;
 class HitCard;
 class HitsTable;
 class WishForm;
 
-/// Searches for gearboxes with wanted ratios: the wish, what was found so far, and the gearbox chosen of it.
-/// Knows nothing of the document. Its fields are made when it is shown first.
+/// Searches for gearboxes with wanted ratios: the wish, what was found so far with filters, and the gearbox
+/// chosen of it, or two that are compared. Knows nothing of the document. Its fields are made when it is
+/// shown first.
 class DesignerPanel final : public QWidget, public ResultsView {
   Q_OBJECT
 
@@ -27,6 +31,7 @@ class DesignerPanel final : public QWidget, public ResultsView {
   explicit DesignerPanel(QWidget* parent = nullptr);
 
   [[nodiscard]] QWidget& widget() override { return *this; }
+  [[nodiscard]] bool isSettled() const override;
 
   /// From the beginning, if the wish has no fault. What was found for the former wish is dropped.
   void search();
@@ -42,10 +47,16 @@ class DesignerPanel final : public QWidget, public ResultsView {
   [[nodiscard]] WishForm* form() const { return m_form; }
   [[nodiscard]] HitsTable* hits() const { return m_hits; }
   [[nodiscard]] HitCard* card() const { return m_card; }
+  /// Null until it has been worked out.
+  [[nodiscard]] HitDetailPtr detailOf(const GearboxPtr& gearbox) const;
+  /// Writes the wish as `geargraph-cli gearbox` reads it.
+  void saveWish(const QString& path);
 
  signals:
-  /// The chosen gearbox should be opened as a document.
-  void openWanted(const geargraph::Mechanism& document);
+  void settled();
+  /// A gearbox should be opened as a document.
+  void openWanted(const geargraph::MechanismPtr& document);
+  void rejected(const QString& why);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -54,32 +65,45 @@ class DesignerPanel final : public QWidget, public ResultsView {
  private:
   enum class Phase { idle, searching, paused, done };
 
+  [[nodiscard]] QWidget* makeLeft();
   [[nodiscard]] QWidget* makeMiddle();
+  [[nodiscard]] QWidget* makeHead();
   void onProgress(const DesignProgress& progress);
   void onFailed();
-  void onChosen();
-  void onOpen();
+  void onDetail(const HitDetailPtr& detail);
+  void showHits();
+  void open(const GearboxPtr& gearbox);
+  void addVariant(const GearboxPtr& gearbox, const GearboxPtr& variant);
+  void chooseWishFile();
   void onWishEdited();
   void setPhase(Phase phase);
   void renewWords();
   [[nodiscard]] QString titleText() const;
   [[nodiscard]] QString sampledText() const;
+  [[nodiscard]] QString sampledReason() const;
   [[nodiscard]] QString countText() const;
+  [[nodiscard]] QString remainingText() const;
+  [[nodiscard]] QString emptyListText() const;
 
   DesignService* m_service;
-  HitService* m_details;
+  HitService* m_detailService;
   GearboxWishPtr m_wish;  ///< searched for; null before the first search
   std::int64_t m_layouts = 0;
   std::int64_t m_total = 0;
+  JudgeCounts m_judged;
+  QElapsedTimer m_clock;              ///< since the search began or went on
+  std::int64_t m_layoutsAtStart = 0;  ///< that were done then
   bool m_isProof = false;
   bool m_isEarlier = false;  ///< the fields have another wish than the list
   Phase m_phase = Phase::idle;
-  GearboxPtr m_asked;   ///< whose detail is shown or on its way
-  GearboxPtr m_toOpen;  ///< to be opened as soon as its document is there
+  std::map<GearboxPtr, HitDetailPtr> m_details;
+  std::vector<GearboxPtr> m_asked;  ///< whose details are on their way
+  GearboxPtr m_toOpen;              ///< to be opened as soon as its document is there
 
   WishForm* m_form = nullptr;
   HitsTable* m_hits = nullptr;
   HitCard* m_card = nullptr;
+  FilterBar* m_filters = nullptr;
   QStackedWidget* m_pages = nullptr;
   QLabel* m_empty = nullptr;
   QLabel* m_title = nullptr;

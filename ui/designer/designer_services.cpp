@@ -6,6 +6,7 @@
 
 #include "core/presentation/lever_drawing/lever_drawing.h"
 #include "core/presentation/results/levers_json.h"
+#include "core/presentation/schematic/schematic.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::inline designer {
@@ -25,9 +26,9 @@ void searchGearboxes(const DesignRequest& request, const DesignService::Responde
   options.onBlock = [&](const GearboxSearch& block, std::int64_t done, std::int64_t total) {
     next.done = done;
     next.total = total;
+    next.judged += block.judged;
     for (Gearbox each : block.found) {
-      if (wish.efficiency && checkByDocument(wish, each, true, respond.stop()) != GearboxCheck::right)
-        continue;
+      if (checkByDocument(wish, each, true, respond.stop()) != GearboxCheck::right) continue;
       next.found.push_back(std::make_shared<const Gearbox>(std::move(each)));
     }
     if (respond.stop().stop_requested()) return false;
@@ -43,24 +44,36 @@ void searchGearboxes(const DesignRequest& request, const DesignService::Responde
   respond(std::move(next));
 }
 
-void detailOf(const HitRequest& request, const HitService::Responder& respond) {
+/// Null if a stop was requested.
+HitDetailPtr detailOf(const GearboxWish& wish, const GearboxPtr& asked, const std::stop_token& stop) {
   auto detail = std::make_shared<HitDetail>();
-  detail->asked = request.gearbox;
-  Gearbox gearbox = *request.gearbox;
-  if (checkByDocument(*request.wish, gearbox, true, respond.stop()) == GearboxCheck::stopped) return;
-  detail->document = gearboxDocument(*request.wish, gearbox);
+  detail->asked = asked;
+  Gearbox gearbox = *asked;
+  if (!gearbox.losses && checkByDocument(wish, gearbox, true, stop) == GearboxCheck::stopped) return nullptr;
+  detail->document = gearboxDocument(wish, gearbox);
   detail->gearbox = std::make_shared<const Gearbox>(std::move(gearbox));
   const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(detail->document));
-  const auto levers = leverPictureOf(*snapshot, respond.stop());
-  if (!levers) return;
-  detail->levers = leverDrawing(detail->document, *levers, {});
-  respond(HitDetailPtr(std::move(detail)));
+  const auto levers = leverPictureOf(*snapshot, stop);
+  if (!levers) return nullptr;
+  detail->levers = leverSheet(detail->document, *levers, leverLayout(detail->document, levers->plan), {},
+                              {.speeds = false, .torques = false})
+                       .drawing;
+  detail->schematic = schematicDrawing(schematicGeometry(detail->document, stop), {});
+  return stop.stop_requested() ? nullptr : detail;
+}
+
+void detailsOf(const HitRequest& request, const HitService::Responder& respond) {
+  for (std::size_t i = 0; i < request.gearboxes.size(); ++i) {
+    HitDetailPtr detail = detailOf(*request.wish, request.gearboxes[i], respond.stop());
+    if (!detail) return;
+    i + 1 < request.gearboxes.size() ? respond.partly(std::move(detail)) : respond(std::move(detail));
+  }
 }
 
 }  // namespace
 
 DesignService::DesignService(QObject* parent) : Service(&searchGearboxes, parent) {}
 
-HitService::HitService(QObject* parent) : Service(&detailOf, parent) {}
+HitService::HitService(QObject* parent) : Service(&detailsOf, parent) {}
 
 }  // namespace geargraph::inline designer

@@ -24,7 +24,8 @@ struct DesignRequest {
 struct DesignProgress {
   std::int64_t done = 0;  ///< layouts, from the first of the list
   std::int64_t total = 0;
-  std::vector<GearboxPtr> found;  ///< with losses where the wish has efficiencies
+  std::vector<GearboxPtr> found;  ///< with losses and circulating power
+  JudgeCounts judged = {};        ///< what came near, and why it was dropped
   bool isProof = false;           ///< nothing was left out: GearboxSearch::isComplete
 };
 
@@ -40,16 +41,17 @@ struct HitDetail {
   GearboxPtr asked;
   GearboxPtr gearbox;  ///< the same with losses
   Mechanism document;
-  DisplayList levers;  ///< in first gear, under the torque of its drive
+  DisplayList levers;  ///< bars and points alone, as they have to be small
+  DisplayList schematic;
 };
 using HitDetailPtr = std::shared_ptr<const HitDetail>;
 
 struct HitRequest {
   GearboxWishPtr wish;
-  GearboxPtr gearbox;
+  std::vector<GearboxPtr> gearboxes;
 };
 
-/// The document, the losses and the levers of the gearbox asked for last.
+/// The documents, losses, levers and schematics of the gearboxes asked for last, each an answer of its own.
 class HitService final : public Service<HitRequest, HitDetailPtr> {
  public:
   explicit HitService(QObject* parent = nullptr);

@@ -1,47 +1,74 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <vector>
 
 #include "ui/designer/designer_services.h"
 
 class QLabel;
+class QMenu;
 class QPushButton;
 class QTableWidget;
+class QToolButton;
 
 namespace geargraph::inline designer {
 
-class LeverPreview;
+class DrawingPreview;
 
-/// The chosen gearbox: its levers, its shift table with wanted and exact ratios, what its elements join, and
-/// the button that opens it as a document.
+/// A gearbox of the list with its number there.
+struct NumberedHit {
+  GearboxPtr gearbox;
+  int number = 0;
+};
+
+/// One gearbox, or two beside each other: levers and schematic, what the elements join, the shift table with
+/// wanted and found ratios, what they are compared by, and the buttons that open them as documents.
 class HitCard final : public QWidget {
   Q_OBJECT
 
  public:
   explicit HitCard(QWidget* parent = nullptr);
 
-  /// Shows numbers at once; levers and losses come by setDetail(). Null: nothing is chosen.
-  void setHit(const GearboxWishPtr& wish, const GearboxPtr& gearbox, int number);
-  /// Ignored unless it is of the gearbox that is shown.
+  /// Shows numbers at once; drawings and losses come by setDetail(). At most two.
+  void setHits(const GearboxWishPtr& wish, std::vector<NumberedHit> hits);
+  /// Ignored unless it is of a gearbox that is shown.
   void setDetail(const HitDetailPtr& detail);
-  /// Null until it has come.
-  [[nodiscard]] const HitDetailPtr& detail() const { return m_detail; }
+  [[nodiscard]] const std::vector<NumberedHit>& hits() const { return m_hits; }
 
  signals:
-  void openWanted();
+  void openWanted(const geargraph::GearboxPtr& gearbox);
+  /// Another choice of elements of a gearbox that is shown, of the same speeds.
+  void variantWanted(const geargraph::GearboxPtr& gearbox, const geargraph::GearboxPtr& variant);
 
  private:
-  void fillTable(const Gearbox& gearbox);
+  static constexpr std::size_t kMost = 2;
+
+  [[nodiscard]] QWidget* makePictures();
+  [[nodiscard]] QTableWidget* makeTable(const char* name);
+  [[nodiscard]] const Gearbox& gearboxAt(std::size_t position) const;
   [[nodiscard]] QString wantedOf(std::size_t gear) const;
+  void renewDrawings();
+  void fillOneTable();
+  void fillTwoTable();
+  void fillMeasures();
+  void renewWords();
+  void fillVariants();
 
   GearboxWishPtr m_wish;
-  GearboxPtr m_gearbox;
-  HitDetailPtr m_detail;
-  QLabel* m_title;
-  LeverPreview* m_levers;
+  std::vector<NumberedHit> m_hits;
+  std::array<HitDetailPtr, kMost> m_details;  ///< null until they come
+  bool m_showsSchematics = false;             ///< of two gearboxes; of one both drawings are shown
+  std::array<QLabel*, kMost> m_titles;
+  std::array<DrawingPreview*, kMost> m_drawings;
+  std::array<QLabel*, kMost> m_elements;
+  QWidget* m_kinds = nullptr;
   QTableWidget* m_states;
+  QTableWidget* m_measures;
   QLabel* m_words;
-  QPushButton* m_open;
+  QToolButton* m_variants;
+  QMenu* m_variantMenu;
+  std::array<QPushButton*, kMost> m_open;
 };
 
 }  // namespace geargraph::inline designer

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/design/gearboxes/section_rules.h"
-#include "ui/designer/hit_words.h"
 #include "ui/models/term_tips.h"
 
 namespace geargraph::inline designer {
@@ -22,11 +21,30 @@ QString engagedWords(const Gearbox& gearbox) {
 
 }  // namespace
 
+std::optional<HitMeasure> HitsModel::measureOf(int column) {
+  switch (column) {
+    case error:
+      return HitMeasure::error;
+    case efficiency:
+      return HitMeasure::efficiency;
+    case circulating:
+      return HitMeasure::circulating;
+    case speed:
+      return HitMeasure::speed;
+    case torque:
+      return HitMeasure::torque;
+    default:
+      return std::nullopt;
+  }
+}
+
 void HitsModel::startAnew(GearboxWishPtr wish) {
   beginResetModel();
   m_wish = std::move(wish);
   m_hits.clear();
+  m_ticked.clear();
   endResetModel();
+  emit tickedChanged();
 }
 
 void HitsModel::add(const std::vector<GearboxPtr>& found) {
@@ -48,6 +66,26 @@ int HitsModel::rowOf(const GearboxPtr& gearbox) const {
   return found == m_hits.end() ? -1 : static_cast<int>(found - m_hits.begin());
 }
 
+bool HitsModel::isTicked(const GearboxPtr& gearbox) const {
+  return std::find(m_ticked.begin(), m_ticked.end(), gearbox) != m_ticked.end();
+}
+
+void HitsModel::setTicked(const GearboxPtr& gearbox, bool isTicked) {
+  if (isTicked == this->isTicked(gearbox)) return;
+  if (isTicked) {
+    m_ticked.push_back(gearbox);
+    if (m_ticked.size() > kMostTicked) m_ticked.erase(m_ticked.begin());
+  } else {
+    std::erase(m_ticked, gearbox);
+  }
+  emit dataChanged(index(0, number), index(rowCount() - 1, number), {Qt::CheckStateRole});
+  emit tickedChanged();
+}
+
+void HitsModel::repaintPictures() {
+  if (rowCount() > 0) emit dataChanged(index(0, levers), index(rowCount() - 1, schematic));
+}
+
 int HitsModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(m_hits.size());
 }
@@ -56,28 +94,32 @@ int HitsModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : columns;
 }
 
+Qt::ItemFlags HitsModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+  return index.column() == number ? usual | Qt::ItemIsUserCheckable : usual;
+}
+
+bool HitsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (index.column() != number || role != Qt::CheckStateRole) return false;
+  setTicked(at(index.row()), value.toInt() == Qt::Checked);
+  return true;
+}
+
 QString HitsModel::textAt(int row, int column) const {
   const Gearbox& hit = *at(row);
-  const auto gearName = [&](int gear) {
-    return QString::fromStdString(hit.gears[static_cast<std::size_t>(gear)].name);
-  };
+  if (const auto measure = measureOf(column)) {
+    const QString gear = measureGear(*measure, hit);
+    return gear.isEmpty() ? measureText(*measure, hit) : measureText(*measure, hit) + ' ' + gear;
+  }
   switch (column) {
     case number:
       return QString::number(row + 1);
+    case levers:
+      return linksOf(*m_wish, hit);
+    case schematic:
+      return teethOf(hit);
     case elements:
       return engagedWords(hit);
-    case error:
-      if (hit.error.isZero()) return percentOf(hit.error);
-      return tr("%1 in %2").arg(percentOf(hit.error), gearName(farthestGear(hit)));
-    case efficiency: {
-      if (const int locked = lockedGear(hit); locked >= 0) return tr("none in %1").arg(gearName(locked));
-      const int least = leastEfficientGear(hit);
-      if (least < 0) return {};
-      return tr("%1 in %2")
-          .arg(decimalOf(*hit.losses->efficiencies[static_cast<std::size_t>(least)]), gearName(least));
-    }
-    case teeth:
-      return teethOf(hit);
     case drawable:
       return hit.brokenRule ? QStringLiteral("–") : QStringLiteral("✓");
     default:
@@ -87,18 +129,10 @@ QString HitsModel::textAt(int row, int column) const {
 
 QVariant HitsModel::sortKeyAt(int row, int column) const {
   const Gearbox& hit = *at(row);
+  if (const auto measure = measureOf(column)) return sortKeyOf(*measure, hit);
   switch (column) {
     case elements:
       return static_cast<int>(hit.elements.size());
-    case error:
-      return hit.error.toDouble();
-    case efficiency: {
-      const int least = leastEfficientGear(hit);
-      if (least < 0 || lockedGear(hit) >= 0) return -1.0;
-      return hit.losses->efficiencies[static_cast<std::size_t>(least)]->toDouble();
-    }
-    case teeth:
-      return textAt(row, column);
     case drawable:
       return hit.brokenRule ? 1 : 0;
     default:
@@ -108,20 +142,28 @@ QVariant HitsModel::sortKeyAt(int row, int column) const {
 
 QVariant HitsModel::data(const QModelIndex& index, int role) const {
   const int row = index.row();
+  const int column = index.column();
+  const auto measure = measureOf(column);
   switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
-      return textAt(row, index.column());
+      return textAt(row, column);
+    case Qt::CheckStateRole:
+      return column == number ? QVariant(isTicked(at(row)) ? Qt::Checked : Qt::Unchecked) : QVariant();
     case SortRole:
-      return sortKeyAt(row, index.column());
-    case Qt::TextAlignmentRole: {
-      const bool isWord = index.column() == teeth || index.column() == drawable;
-      return QVariant::fromValue(Qt::AlignVCenter | (isWord ? Qt::AlignLeft : Qt::AlignRight));
-    }
+      return sortKeyAt(row, column);
+    case ValueRole:
+      return measure ? measureText(*measure, *at(row)) : textAt(row, column);
+    case GearRole:
+      return measure ? measureGear(*measure, *at(row)) : QString();
+    case WarningRole:
+      return measure && isWarning(*measure, *at(row));
     case Qt::ToolTipRole:
-      if (index.column() == drawable && at(row)->brokenRule)
-        return QString::fromStdString(sectionRuleReason(*at(row)->brokenRule));
-      if (index.column() == elements) return elementsOf(*m_wish, *at(row));
+      if (column == drawable && at(row)->brokenRule)
+        return shownText(sectionRuleReason(*at(row)->brokenRule));
+      if (column == elements) return elementsOf(*m_wish, *at(row));
+      if (column == levers || column == schematic)
+        return linksOf(*m_wish, *at(row)) + '\n' + teethOf(*at(row));
       return {};
     default:
       return {};
@@ -130,18 +172,27 @@ QVariant HitsModel::data(const QModelIndex& index, int role) const {
 
 QVariant HitsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && (section == error || section == efficiency))
-    return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole) {
+    return QVariant::fromValue((measureOf(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  }
   if (role == Qt::ToolTipRole) {
     switch (section) {
+      case number:
+        return tr("Tick two to compare them (Space)");
+      case levers:
+        return tr("A bar a set, its links at their exact places; the filled points are input and output");
       case elements:
         return tr("Which brakes and clutches each gear engages");
       case error:
         return tr("The largest difference from a wanted ratio, relative to it");
       case efficiency:
         return tr("The least efficiency of a gear; the wish gives that of a mesh");
-      case teeth:
-        return tr("Sun, planet and ring of each set");
+      case circulating:
+        return tr("The largest circulating power, as a part of the power at the input");
+      case speed:
+        return tr("The speed of the fastest link, as a multiple of the input's");
+      case torque:
+        return tr("The largest torque in a brake or clutch, as a multiple of the input's");
       case drawable:
         return tr("Can its section be drawn without shafts that cross?");
       default:
@@ -152,19 +203,76 @@ QVariant HitsModel::headerData(int section, Qt::Orientation orientation, int rol
   switch (section) {
     case number:
       return tr("No.");
+    case levers:
+      return tr("levers");
+    case schematic:
+      return tr("schematic");
     case elements:
       return tr("engaged");
     case error:
       return tr("error");
     case efficiency:
       return tr("worst η");
-    case teeth:
-      return tr("teeth");
+    case circulating:
+      return tr("circul.");
+    case speed:
+      return tr("speed");
+    case torque:
+      return tr("torque");
     case drawable:
       return tr("buildable");
     default:
       return {};
   }
+}
+
+// --- what is shown ----------------------------------------------------------------------------------------
+
+ShownHits::ShownHits(HitsModel* hits, QObject* parent) : QSortFilterProxyModel(parent), m_hits(hits) {
+  setSourceModel(hits);
+  setSortRole(HitsModel::SortRole);
+}
+
+void ShownHits::startAnew() {
+  m_filter = {};
+  m_hidden.clear();
+  renewChoice();
+}
+
+void ShownHits::setFilter(const HitFilter& filter) {
+  m_filter = filter;
+  renewChoice();
+}
+
+void ShownHits::hideHit(const GearboxPtr& gearbox) {
+  m_hidden.push_back(gearbox);
+  renewChoice();
+}
+
+bool ShownHits::showLastHidden() {
+  if (m_hidden.empty()) return false;
+  m_hidden.pop_back();
+  renewChoice();
+  return true;
+}
+
+void ShownHits::showAllHidden() {
+  m_hidden.clear();
+  renewChoice();
+}
+
+void ShownHits::renewChoice() {
+  invalidateFilter();
+  emit choiceChanged();
+}
+
+const GearboxPtr& ShownHits::at(const QModelIndex& index) const {
+  return m_hits->at(mapToSource(index).row());
+}
+
+bool ShownHits::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
+  const GearboxPtr& hit = m_hits->at(row);
+  return m_filter.accepts(*hit) && std::find(m_hidden.begin(), m_hidden.end(), hit) == m_hidden.end();
 }
 
 }  // namespace geargraph::inline designer

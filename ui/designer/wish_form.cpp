@@ -6,7 +6,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QRegularExpression>
+#include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <algorithm>
@@ -14,8 +14,6 @@
 #include "core/design/gearboxes/gearbox_run.h"
 #include "core/foundations/files/json_writer.h"
 #include "ui/models/term_tips.h"
-#include "ui/theme/looks.h"
-#include "ui/theme/plain_text_field.h"
 #include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline designer {
@@ -23,48 +21,11 @@ namespace {
 
 constexpr std::array kKindNames{"simple", "double", "ravigneaux"};
 
-/// With a point as decimal sign, as files have it, and with the sign of a keyboard.
-std::string plainNumber(QString text) {
-  return text.trimmed().replace(QChar(0x2212), '-').replace(',', '.').toStdString();
-}
-
-/// A number of percent as a part of 1, exactly; as typed where it is none, so that the fault names it.
-std::string partOfOne(const QString& percent) {
-  const std::string plain = plainNumber(percent);
-  const auto number = Rational::fromText(plain);
-  return number ? (*number / Rational(100)).toString() : plain;
-}
-
-QHBoxLayout* fromTo(QWidget* from, QWidget* to) {
-  auto* row = new QHBoxLayout;
-  row->addWidget(from, 1);
-  row->addWidget(new QLabel(QStringLiteral("–")));
-  row->addWidget(to, 1);
-  return row;
-}
-
 }  // namespace
 
-QStringList ratiosIn(const QString& text) {
-  QStringList ratios;
-  static const QRegularExpression kGap(QStringLiteral("[\\s;|]+"));
-  for (QString word : text.split(kGap, Qt::SkipEmptyParts)) {
-    while (word.endsWith(',')) word.chop(1);
-    // "4.17,2.34" has a decimal sign already, and so have "4,17,2,34" none that can be told.
-    if (word.contains('.') || word.count(',') > 1) {
-      ratios << word.split(',', Qt::SkipEmptyParts);
-    } else if (!word.isEmpty()) {
-      ratios << word.replace(',', '.');
-    }
-  }
-  return ratios;
-}
-
-WishForm::WishForm(QWidget* parent) : QWidget(parent) {
+WishForm::WishForm(QWidget* parent) : FieldForm(parent) {
   setObjectName(QStringLiteral("wish"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 8, 12, 8);
-  column->setSpacing(6);
+  QVBoxLayout* const column = makeColumn();
   makeRatios(*column);
   makeSets(*column);
   makeElements(*column);
@@ -74,56 +35,11 @@ WishForm::WishForm(QWidget* parent) : QWidget(parent) {
   setFocusProxy(m_ratios);
 }
 
-QFormLayout* WishForm::addForm(QVBoxLayout& column, const QString& heading) {
-  auto* title = new QLabel(heading, this);
-  title->setProperty("look", "title");
-  column.addWidget(title);
-  auto* form = new QFormLayout;
-  form->setHorizontalSpacing(8);
-  form->setVerticalSpacing(4);
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  column.addLayout(form);
-  return form;
-}
-
-void WishForm::addFault(QVBoxLayout& column, Field field) {
-  auto* fault = new QLabel(this);
-  fault->setProperty("look", "problem");
-  fault->setObjectName(QStringLiteral("fault.%1").arg(static_cast<int>(field)));
-  fault->setWordWrap(true);
-  fault->hide();
-  column.addWidget(fault);
-  m_faults[field] = fault;
-}
-
-QSpinBox* WishForm::spin(const char* name, int least, int most, int value) {
-  auto* box = new QSpinBox(this);
-  box->setObjectName(QLatin1String(name));
-  box->setRange(least, most);
-  box->setValue(value);
-  connect(box, &QSpinBox::valueChanged, this, &WishForm::onEdited);
-  return box;
-}
-
-QLineEdit* WishForm::line(const char* name, const QString& text) {
-  auto* edit = new QLineEdit(text, this);
-  edit->setObjectName(QLatin1String(name));
-  edit->setMaxLength(40);
-  connect(edit, &QLineEdit::textChanged, this, &WishForm::onEdited);
-  return edit;
-}
-
 void WishForm::makeRatios(QVBoxLayout& column) {
   auto* form = addForm(column, tr("Ratios"));
-  m_ratios = new PlainTextField(this);
-  m_ratios->setObjectName(QStringLiteral("wishRatios"));
-  m_ratios->setAccessibleName(tr("Wanted ratios"));
+  m_ratios = ratiosField("wishRatios", tr("Input over output of each gear, first gear first: decimals or "
+                                          "fractions, typed or pasted"));
   m_ratios->setPlaceholderText(tr("4.17 2.34 1.52 …"));
-  m_ratios->setToolTip(
-      tr("Input over output of each gear, first gear first: decimals or fractions, typed or pasted"));
-  m_ratios->setTabChangesFocus(true);
-  m_ratios->setFixedHeight(scaledPixels(52));
-  connect(m_ratios, &QPlainTextEdit::textChanged, this, &WishForm::onEdited);
   form->addRow(m_ratios);
   m_reverse = new QComboBox(this);
   m_reverse->setObjectName(QStringLiteral("wishReverse"));
@@ -180,10 +96,8 @@ void WishForm::makeElements(QVBoxLayout& column) {
   m_elements = spin("wishElements", 1, kMaxElements, 4);
   m_elements->setToolTip(tr("Brakes and clutches together"));
   form->addRow(tr("at most"), m_elements);
-  m_brakes = {spin("wishBrakesFrom", 0, kMaxElements, 0),
-              spin("wishBrakesTo", 0, kMaxElements, kMaxElements)};
-  m_clutches = {spin("wishClutchesFrom", 0, kMaxElements, 0),
-                spin("wishClutchesTo", 0, kMaxElements, kMaxElements)};
+  m_brakes = range("wishBrakes", 0, kMaxElements, {0, kMaxElements});
+  m_clutches = range("wishClutches", 0, kMaxElements, {0, kMaxElements});
   m_brakes[0]->setAccessibleName(tr("Fewest brakes"));
   m_brakes[1]->setAccessibleName(tr("Most brakes"));
   m_clutches[0]->setAccessibleName(tr("Fewest clutches"));
@@ -235,8 +149,7 @@ void WishForm::boundLinks() {
 
 void WishForm::onEdited() {
   boundLinks();
-  clearFaults();
-  emit changed();
+  FieldForm::onEdited();
 }
 
 void WishForm::setExample() {
@@ -284,22 +197,12 @@ void WishForm::writeWish(JsonWriter& json) const {
   for (std::size_t kind = 0; kind < m_sets.size(); ++kind)
     for (int i = 0; i < m_sets[kind]->value(); ++i) json.string(kKindNames[kind]);
   json.endArray();
-  const auto whole = [&](const char* name, const QSpinBox* box) {
-    json.key(name);
-    json.number(static_cast<std::int64_t>(box->value()));
-  };
-  const auto range = [&](const char* name, const std::array<QSpinBox*, 2>& ends) {
-    json.key(name);
-    json.beginArray(row);
-    for (const QSpinBox* each : ends) json.number(static_cast<std::int64_t>(each->value()));
-    json.endArray();
-  };
-  whole("links", m_links);
-  whole("held", m_held);
+  writeWhole(json, "links", *m_links);
+  writeWhole(json, "held", *m_held);
   json.member("freeInput", m_freeInput->isChecked());
-  whole("elements", m_elements);
-  range("brakes", m_brakes);
-  range("clutches", m_clutches);
+  writeWhole(json, "elements", *m_elements);
+  writeRange(json, "brakes", m_brakes);
+  writeRange(json, "clutches", m_clutches);
   json.member("singleShift", m_singleShift->isChecked());
   json.key("k");
   json.beginArray(row);
@@ -307,8 +210,8 @@ void WishForm::writeWish(JsonWriter& json) const {
   json.endArray();
   json.key("teeth");
   json.beginObject(row);
-  whole("fewest", m_fewestTeeth);
-  whole("mostRing", m_mostRing);
+  writeWhole(json, "fewest", *m_fewestTeeth);
+  writeWhole(json, "mostRing", *m_mostRing);
   json.endObject();
   if (!m_efficiency->text().trimmed().isEmpty()) {
     json.key("efficiency");
@@ -355,17 +258,6 @@ QWidget* WishForm::widgetOf(Field field) const {
     default:
       return m_ratios;
   }
-}
-
-void WishForm::clearFaults() {
-  for (const auto& [field, label] : m_faults) label->hide();
-}
-
-void WishForm::showFault(Field field, const QString& why) {
-  QLabel* const label = m_faults.at(field);
-  if (!label->isHidden()) return;  // the first one of a field
-  label->setText(why);
-  label->show();
 }
 
 std::optional<GearboxWish> WishForm::wish() {

@@ -1,34 +1,19 @@
 #pragma once
 
-#include <QWidget>
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 
 #include "core/design/gearboxes/gearbox_wish.h"
+#include "ui/designer/field_form.h"
 
 class QCheckBox;
 class QComboBox;
-class QFormLayout;
-class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
-class QSpinBox;
-class QVBoxLayout;
-
-namespace geargraph::inline files {
-class JsonWriter;
-}  // namespace geargraph::inline files
 
 namespace geargraph::inline designer {
 
-/// The ratios in a typed or pasted text, as the wish has them: separated by blanks, semicolons, or commas
-/// that are no decimal signs; "4,17 2,34" and "4.17, 2.34" are the same two.
-[[nodiscard]] QStringList ratiosIn(const QString& text);
-
 /// What a gearbox is wished to do: fields, and what is wrong with them below each.
-class WishForm final : public QWidget {
+class WishForm final : public FieldForm {
   Q_OBJECT
 
  public:
@@ -43,26 +28,21 @@ class WishForm final : public QWidget {
   void setExample();
   static constexpr const char* kExampleRatios = "4.17 2.34 1.52 1.14 0.87 0.69";
 
- signals:
-  void changed();
+ protected:
+  void onEdited() override;
 
  private:
-  /// Whose fault: a group of fields.
+  /// Groups of fields, which have faults together.
   enum class Field { ratios, reverse, tolerance, sets, layout, elements, k, teeth, efficiency };
 
   void makeRatios(QVBoxLayout& column);
   void makeSets(QVBoxLayout& column);
   void makeElements(QVBoxLayout& column);
   void makeLimits(QVBoxLayout& column);
-  QFormLayout* addForm(QVBoxLayout& column, const QString& heading);
-  void addFault(QVBoxLayout& column, Field field);
-  QSpinBox* spin(const char* name, int least, int most, int value);
-  QLineEdit* line(const char* name, const QString& text);
   void writeWish(JsonWriter& json) const;
-  void onEdited();
+  void addFault(QVBoxLayout& column, Field field) { FieldForm::addFault(column, static_cast<int>(field)); }
+  void showFault(Field field, const QString& why) { FieldForm::showFault(static_cast<int>(field), why); }
   void boundLinks();
-  void clearFaults();
-  void showFault(Field field, const QString& why);
   [[nodiscard]] static std::optional<Field> fieldAt(const std::string& pointer);
   [[nodiscard]] QWidget* widgetOf(Field field) const;
   [[nodiscard]] int basicSetCount() const;
@@ -76,15 +56,14 @@ class WishForm final : public QWidget {
   QSpinBox* m_held;
   QCheckBox* m_freeInput;
   QSpinBox* m_elements;
-  std::array<QSpinBox*, 2> m_brakes;
-  std::array<QSpinBox*, 2> m_clutches;
+  Numbers m_brakes;
+  Numbers m_clutches;
   QCheckBox* m_singleShift;
   std::array<QLineEdit*, 2> m_k;
   QSpinBox* m_fewestTeeth;
   QSpinBox* m_mostRing;
   QLineEdit* m_efficiency;
   QCheckBox* m_buildable;
-  std::map<Field, QLabel*> m_faults;
 };
 
 }  // namespace geargraph::inline designer

@@ -48,6 +48,7 @@ enum class CommandId {
   findTeeth,
   atlas,
   designGearbox,
+  hardware,
   tidy,
   fit,
   zoomIn,

@@ -5,6 +5,8 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QTabBar>
+#include <QToolButton>
 #include <algorithm>
 
 #include "core/mechanism/model/edits.h"
@@ -207,6 +209,8 @@ void MainWindow::addDrawing(const ViewEntry& entry) {
   view.widget().setProperty(kPurpose, entry.purpose);
   const int tab = m_drawings->addTab(&view.widget(), entry.title);
   m_drawings->setTabToolTip(tab, entry.tip);
+  view.widget().setProperty(kWantsRoom, entry.wantsRoom);
+  if (entry.wantsRoom) addCloseButton(tab);
   auto* drawing = dynamic_cast<DrawingView*>(&view);
   if (drawing == nullptr) {
     connect(m_drawings, &QTabWidget::currentChanged, &view.widget(),
@@ -220,9 +224,27 @@ void MainWindow::addDrawing(const ViewEntry& entry) {
   wireDrawing(drawing);
 }
 
+/// A tab for which the panels go away is there once it has been asked for, and can be closed.
+void MainWindow::addCloseButton(int tab) {
+  auto* close = new QToolButton(m_drawings);
+  close->setText(QStringLiteral("✕"));
+  close->setProperty("look", "flat");
+  close->setFocusPolicy(Qt::NoFocus);
+  close->setObjectName(QStringLiteral("close.") + m_drawings->widget(tab)->objectName());
+  close->setToolTip(tr("Closes this tab; what it holds stays"));
+  close->setAccessibleName(tr("Close %1").arg(m_drawings->tabText(tab)));
+  connect(close, &QToolButton::clicked, this, [this, page = m_drawings->widget(tab)] {
+    showDrawing(drawing().objectName());
+    m_drawings->setTabVisible(m_drawings->indexOf(page), false);
+  });
+  m_drawings->tabBar()->setTabButton(tab, QTabBar::RightSide, close);
+  m_drawings->setTabVisible(tab, false);
+}
+
 bool MainWindow::showDrawing(const QString& name) {
   for (int tab = 0; tab < m_drawings->count(); ++tab) {
     if (m_drawings->widget(tab)->objectName() != name) continue;
+    m_drawings->setTabVisible(tab, true);
     m_drawings->setCurrentIndex(tab);
     return true;
   }
@@ -243,6 +265,7 @@ QString MainWindow::drawingHint() {
 void MainWindow::onDrawingChosen() {
   drawing().setTool(static_cast<ToolKind>(m_actions->tools->checkedAction()->data().toInt()));
   m_status->setHint(drawingHint());
+  giveRoom();
 }
 
 void MainWindow::makeCommands() {
@@ -458,7 +481,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!m_files->mayDiscard()) return event->ignore();
   m_files->discard();
   if (m_lesson == nullptr) {  // whose panels are others
-    const auto [geometry, state] = m_presentation->workLayout();
+    const auto [geometry, state] = workLayout();
     saveSetting(QStringLiteral("window/geometry"), geometry);
     saveSetting(QStringLiteral("window/state"), state);
   }

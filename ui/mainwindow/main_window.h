@@ -4,6 +4,7 @@
 #include <QTabWidget>
 #include <memory>
 
+#include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/window_actions.h"
 #include "ui/views/views.h"
 #include "ui/workbench/workbench.h"
@@ -144,6 +145,8 @@ class MainWindow : public QMainWindow {
   void showPaperCheck();
   [[nodiscard]] WindowHelp& help() { return *m_help; }
   [[nodiscard]] Presentation& presentation() { return *m_presentation; }
+  /// What is to be remembered of the window, whatever a presentation or a tab has put away.
+  [[nodiscard]] Presentation::Layout workLayout() const;
   /// Are all views up to date with the document?
   [[nodiscard]] bool isSettled() const;
 
@@ -177,6 +180,8 @@ class MainWindow : public QMainWindow {
   void makeDrawings();
   void addDrawing(const ViewEntry& entry);
   void onDrawingChosen();
+  void giveRoom();
+  void addCloseButton(int tab);
   /// What can be done in the tab in front.
   [[nodiscard]] QString drawingHint();
   void makeViews();
@@ -206,8 +211,7 @@ class MainWindow : public QMainWindow {
   void renewCommands();
   void renewTitle();
   void showInsertSet();
-  void showAtlas();
-  void showDesigner();
+  void showTab(ResultsView& view);
   void showElement(const ElementId& element);
   void chooseTheme(const std::optional<Theme>& theme);
   void chooseTypeScale(double scale);

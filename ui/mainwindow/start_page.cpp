@@ -97,10 +97,15 @@ QWidget* StartPage::makeSide() {
   auto* open = new QPushButton(tr("Open…"), side);
   open->setObjectName(QStringLiteral("startOpen"));
   open->setToolTip(tr("Open a document; it can be dropped on the window, too"));
+  auto* design = new QPushButton(tr("Gearbox from ratios…"), side);
+  design->setObjectName(QStringLiteral("startDesign"));
+  design->setToolTip(tr("Search for planetary sets, brakes and clutches that have the ratios you want"));
+  connect(design, &QPushButton::clicked, this, &StartPage::designWanted);
   connect(anew, &QPushButton::clicked, this, &StartPage::newWanted);
   connect(open, &QPushButton::clicked, this, &StartPage::openWanted);
   layout->addWidget(anew);
   layout->addWidget(open);
+  layout->addWidget(design);
   layout->addSpacing(14);
   layout->addWidget(heading(tr("Recent"), side));
   m_noRecent = new QLabel(tr("Documents that you open or save are listed here."), side);

@@ -30,6 +30,8 @@ class StartPage : public QWidget {
  signals:
   void newWanted();
   void openWanted();
+  /// The gearbox designer.
+  void designWanted();
   void chosen(const QString& path);
 
  protected:

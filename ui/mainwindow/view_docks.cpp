@@ -108,7 +108,22 @@ void ViewDocks::place(const Panel& panel, QDockWidget* before) {
   }
 }
 
+void ViewDocks::putAway() {
+  if (arePutAway()) return;
+  m_away = m_window->saveState();
+  const LayoutPause pause(m_window);
+  for (const Panel& each : m_panels)
+    if (!each.dock->isFloating()) each.dock->hide();
+}
+
+void ViewDocks::bringBack() {
+  if (!arePutAway()) return;
+  const LayoutPause pause(m_window);
+  m_window->restoreState(std::exchange(m_away, {}));
+}
+
 void ViewDocks::reset() {
+  m_away.clear();
   {
     const LayoutPause pause(m_window);
     // Those that a lesson keeps closed, and those that it has opened, stay so.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <functional>
@@ -12,6 +13,9 @@ class QAction;
 namespace geargraph::inline mainwindow {
 
 class DockTitles;
+
+/// The property of tabs for which the panels round the drawings are put away (ViewEntry::wantsRoom).
+constexpr const char* kWantsRoom = "wantsRoom";
 
 /// The panels of a window round its drawing: a dock and an action for each view that is no drawing, named
 /// "dock." and the view's id. Layouts saved by users know docks by these names.
@@ -40,6 +44,13 @@ class ViewDocks final : public QObject {
   void showForDrawing(bool isDrawn);
   /// Shows these panels and hides all others.
   void showOnly(const std::vector<const ResultsView*>& views);
+  /// Hides the panels round the drawings, not those in windows of their own, until bringBack().
+  void putAway();
+  /// Lays the panels out as they were before putAway().
+  void bringBack();
+  /// QMainWindow::saveState(), as if nothing were put away.
+  [[nodiscard]] QByteArray layout() const { return m_away.isEmpty() ? m_window->saveState() : m_away; }
+  [[nodiscard]] bool arePutAway() const { return !m_away.isEmpty(); }
 
  private:
   struct Panel {
@@ -60,6 +71,7 @@ class ViewDocks final : public QObject {
   std::function<void()> m_leave;
   DockTitles* m_titles;
   std::vector<Panel> m_panels;
+  QByteArray m_away;  ///< the layout before putAway(); empty: nothing is put away
 };
 
 }  // namespace geargraph::inline mainwindow

@@ -5,6 +5,7 @@
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/designer/designer_panel.h"
+#include "ui/designer/hub_panel.h"
 #include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/inputs/inputs_and_results.h"
@@ -24,7 +25,7 @@ std::vector<ViewEntry> viewTable() {
   return {
       digraphView(), ttGraphView(),  schematicView(), leversView(),     matricesView(), problemsView(),
       view3dView(),  inputsView(),   gearboxView(),   propertiesView(), speedsView(),   derivationView(),
-      forcesView(),  dynamicsView(), teethView(),     atlasView(),      designerView(),
+      forcesView(),  dynamicsView(), teethView(),     atlasView(),      designerView(), hardwareView(),
   };
 }
 

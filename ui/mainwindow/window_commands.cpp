@@ -17,7 +17,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/designer/designer_panel.h"
-#include "ui/designer/wish_form.h"
+#include "ui/designer/hub_panel.h"
 #include "ui/languages/languages.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
@@ -112,7 +112,7 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
   mechanism->addSeparator();
-  mechanism->addActions(a.of({insertSet, findTeeth, designGearbox, atlas}));
+  mechanism->addActions(a.of({insertSet, findTeeth, designGearbox, hardware, atlas}));
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
   for (QAction* count : a.planets) planets->addAction(count);
   mechanism->addSeparator();
@@ -185,9 +185,9 @@ void MainWindow::wireActions() {
     m_docks->reveal(panel);
     panel.askForRatio();
   });
-  connect(a[atlas], &QAction::triggered, this, &MainWindow::showAtlas);
-  connect(a[designGearbox], &QAction::triggered, this, &MainWindow::showDesigner);
-  connect(&m_views->get<DesignerPanel>(), &DesignerPanel::openWanted, m_files.get(), &WindowFiles::openMade);
+  connect(a[atlas], &QAction::triggered, this, [this] { showTab(m_views->get<AtlasPanel>()); });
+  connect(a[designGearbox], &QAction::triggered, this, [this] { showTab(m_views->get<DesignerPanel>()); });
+  connect(a[hardware], &QAction::triggered, this, [this] { showTab(m_views->get<HubPanel>()); });
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
     connect(a.planets[i], &QAction::triggered, m_commands,
             [this, total = static_cast<int>(i) + 2] { m_commands->makePlanets(total); });
@@ -253,6 +253,7 @@ void MainWindow::wireFiles() {
   connect(a[quit], &QAction::triggered, files, &WindowFiles::quit);
   connect(m_start, &StartPage::newWanted, files, &WindowFiles::newByUser);
   connect(m_start, &StartPage::openWanted, files, &WindowFiles::chooseAndOpen);
+  connect(m_start, &StartPage::designWanted, (*m_actions)[CommandId::designGearbox], &QAction::trigger);
   connect(m_start, &StartPage::chosen, files, &WindowFiles::openByUser);
   connect(m_document, &Document::replaced, this, &MainWindow::onOpened);
   // Whoever begins to draw, or opens something, is done with the start page.
@@ -349,36 +350,19 @@ void MainWindow::showInsertSet() {
       m_commands->insertSet(set);
       drawing().fit();
     });
+    connect(m_insertSet, &InsertSetDialog::designWanted, (*m_actions)[CommandId::designGearbox],
+            &QAction::trigger);
   }
   m_insertSet->show();
   m_insertSet->raise();
   m_insertSet->activateWindow();
 }
 
-void MainWindow::showAtlas() {
+/// Brings a tab to the front that is no drawing.
+void MainWindow::showTab(ResultsView& view) {
   m_start->dismiss(&drawing());
-  ResultsView& atlas = m_views->get<AtlasPanel>();
-  showDrawing(atlas.widget().objectName());
-  atlas.widget().setFocus();
-}
-
-/// Wish, list and card want room beside each other: from a small panel they come out into a window of their
-/// own.
-void MainWindow::showDesigner() {
-  constexpr QSize kWanted{1240, 690};
-  constexpr QSize kEnough{940, 440};
-  auto& panel = m_views->get<DesignerPanel>();
-  QDockWidget* const dock = m_docks->of(panel);
-  m_docks->reveal(panel);
-  if (!dock->isFloating() && dock->size().boundedTo(kEnough) != kEnough) {
-    const QRect room = screen()->availableGeometry();
-    dock->setFloating(true);
-    dock->resize(kWanted.boundedTo(room.size()));
-    dock->move(room.center() - dock->rect().center());
-  }
-  dock->activateWindow();
-  panel.prepare();
-  panel.form()->setFocus();
+  showDrawing(view.widget().objectName());
+  view.widget().setFocus();
 }
 
 void MainWindow::askForPicture() {

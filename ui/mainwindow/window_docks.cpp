@@ -71,8 +71,22 @@ void MainWindow::showEvent(QShowEvent* event) {
   m_layoutApplied = true;
   // Not before: a window that has no size yet squeezes its docks.
   if (m_layout.isEmpty() || !restoreState(m_layout)) applyDefaultLayout();
+  giveRoom();
   m_notices->renew();
   drawing().setFocus();
+}
+
+/// Before the window is shown its docks have no layout that could be brought back.
+void MainWindow::giveRoom() {
+  if (!m_layoutApplied) return;
+  const bool wantsRoom = m_drawings->currentWidget()->property(kWantsRoom).toBool();
+  wantsRoom ? m_docks->putAway() : m_docks->bringBack();
+}
+
+Presentation::Layout MainWindow::workLayout() const {
+  Presentation::Layout layout = m_presentation->workLayout();
+  if (m_docks->arePutAway()) layout.state = m_docks->layout();
+  return layout;
 }
 
 /// Of the panels of results the one that this document is about.

@@ -98,6 +98,7 @@ void WindowFiles::showMade(const MechanismPtr& mechanism) {
   WindowFiles& files = m_windows->addWindow();
   files.startAnew();
   files.m_document->apply(takingOver(tr("New document"), mechanism));
+  emit files.noted(tr("This is a document of its own. Save keeps it."));
 }
 
 void WindowFiles::startAnew() {
@@ -157,14 +158,6 @@ void WindowFiles::newByUser() {
 
 void WindowFiles::newWindow() {
   if (m_windows != nullptr) m_windows->addWindow();
-}
-
-void WindowFiles::openMade(const Mechanism& made) {
-  if (m_windows == nullptr) return emit rejected(tr("This window is not connected to others."));
-  WindowFiles& other = m_windows->addWindow();
-  other.m_document->apply(
-      takingOver(tr("Gearbox from the designer"), std::make_shared<const Mechanism>(made)));
-  emit other.noted(tr("The gearbox is a document of its own, with a state for each gear. Save keeps it."));
 }
 
 void WindowFiles::openByUser(const QString& path) {

@@ -92,8 +92,6 @@ class WindowFiles : public QObject {
   // User commands: in this window if isUnused(), else in another one.
   void newByUser();
   void newWindow();
-  /// In another window, as an edit of its empty document.
-  void openMade(const Mechanism& made);
   void openByUser(const QString& path);
   void chooseAndOpen();
   bool saveOrChoose();

@@ -33,7 +33,7 @@ void MainWindow::addLanguages(QMenu& menu) {
 std::unique_ptr<MainWindow> MainWindow::inPlaceOf(MainWindow& former) {
   former.m_presentation->setOn(false);
   const QByteArray geometry = former.saveGeometry();
-  const QByteArray state = former.saveState();
+  const QByteArray state = former.m_docks->layout();
   const QPoint place = former.pos();
   const QString drawing = former.m_drawings->currentWidget()->objectName();
   const int tool = former.m_actions->tools->checkedAction()->data().toInt();

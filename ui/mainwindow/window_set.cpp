@@ -268,7 +268,7 @@ void WindowSet::recordLayouts() {
     if (DockDrag::draggedOf(*window) != nullptr)
       m_recordSoon->start();
     else if (window->isVisible())
-      m_layouts[window.get()] = window->presentation().workLayout();
+      m_layouts[window.get()] = window->workLayout();
   }
   remember();
 }

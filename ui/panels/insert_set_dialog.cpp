@@ -83,6 +83,10 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
   m_summary->setObjectName(QStringLiteral("summary"));
   m_insert->setObjectName(QStringLiteral("insert"));
   m_insert->setDefault(true);
+  auto* design = new QPushButton(tr("Gearbox from ratios…"), this);
+  design->setObjectName(QStringLiteral("designInstead"));
+  design->setToolTip(tr("Search for planetary sets, brakes and clutches that have the ratios you want"));
+  design->setAutoDefault(false);
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);
 
@@ -92,6 +96,7 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
   middle->addWidget(m_forms, 1);
   middle->addWidget(m_preview, 1);
   auto* foot = new QHBoxLayout;
+  foot->addWidget(design);
   foot->addWidget(m_summary, 1);
   foot->addWidget(close);
   foot->addWidget(m_insert);
@@ -105,6 +110,8 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
     renew();
   });
   connect(close, &QPushButton::clicked, this, &QDialog::close);
+  connect(design, &QPushButton::clicked, this, &QDialog::reject);
+  connect(design, &QPushButton::clicked, this, &InsertSetDialog::designWanted);
   connect(m_insert, &QPushButton::clicked, this, [this] {
     const auto set = form().set();
     if (!set) return;

@@ -23,6 +23,8 @@ class InsertSetDialog : public QDialog {
 
  signals:
   void insertWanted(const geargraph::Mechanism& set);
+  /// A whole gearbox is wanted instead: the gearbox designer.
+  void designWanted();
 
  private:
   void addKind(const QString& name, SetForm* form);

@@ -36,6 +36,7 @@ struct ViewEntry {
   bool holdsAnswers = true;    ///< closed in a lesson until the step is right or shown
   bool servesDrawing = false;  ///< shown while a lesson has something drawn
   bool isPresented = false;    ///< shown in the first presentation
+  bool wantsRoom = false;      ///< of a tab: the panels round the drawings are put away while it is in front
   /// Makes the view and connects it with what it needs: services of views.workbench(), views that come before
   /// it in the table, signals of `views`.
   ResultsView* (*make)(Views& views, QWidget* parent) = nullptr;

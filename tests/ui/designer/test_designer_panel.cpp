@@ -1,18 +1,21 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "ui/designer/designer_panel.h"
+#include "ui/designer/drawing_preview.h"
 #include "ui/designer/hit_card.h"
 #include "ui/designer/hit_words.h"
 #include "ui/designer/hits_table.h"
-#include "ui/designer/lever_preview.h"
 #include "ui/designer/wish_form.h"
 
 namespace geargraph {
@@ -92,9 +95,10 @@ class DesignerPanelTest : public QObject {
       const double of = QString(wanted[row]).replace(QChar(0x2212), '-').toDouble();
       QVERIFY(std::abs(ratio.toDouble() / of - 1) <= 0.01 + 1e-12);
     }
-    QTRY_VERIFY(m_panel->card()->detail() != nullptr);
-    QVERIFY(!part<LeverPreview>("hitLevers").drawing().marks.empty());
-    QCOMPARE(m_panel->card()->detail()->document.states.size(), 4U);
+    QTRY_VERIFY(m_panel->detailOf(first) != nullptr);
+    QVERIFY(!part<DrawingPreview>("hitLevers").drawing().marks.empty());
+    QVERIFY(!part<DrawingPreview>("otherHitDrawing").drawing().marks.empty());  // its schematic
+    QCOMPARE(m_panel->detailOf(first)->document.states.size(), 4U);
   }
 
   void enterOpensTheChosenOne() {
@@ -103,9 +107,158 @@ class DesignerPanelTest : public QObject {
     const QSignalSpy opened(m_panel.get(), &DesignerPanel::openWanted);
     QTest::keyClick(m_panel->hits(), Qt::Key_Return);
     QTRY_COMPARE(opened.size(), 1);
-    const auto document = opened.front().front().value<Mechanism>();
-    QCOMPARE(document.states.size(), 4U);
-    QVERIFY(document.couplings.size() >= 3);
+    const auto document = opened.front().front().value<MechanismPtr>();
+    QCOMPARE(document->states.size(), 4U);
+    QVERIFY(document->couplings.size() >= 3);
+  }
+
+  /// Two that are ticked stand beside each other, and a third takes the place of the first.
+  void twoThatAreTickedAreCompared() {
+    wishForSimpson();
+    searchToTheEnd();
+    HitsTable& table = *m_panel->hits();
+    QVERIFY(table.hits().rowCount() >= 3);
+    table.selectRow(0);
+    QCOMPARE(m_panel->card()->hits().size(), 1U);
+    QTest::keyClick(&table, Qt::Key_Space);
+    QTest::keyClick(&table, Qt::Key_Down);  // beside the ticked one
+    QCOMPARE(m_panel->card()->hits().size(), 2U);
+    QTest::keyClick(&table, Qt::Key_Space);
+    auto& states = part<QTableWidget>("hitStates");
+    for (int row = 0; row < states.rowCount(); ++row) {
+      for (const auto& [hit, column] : {std::pair(0, 3), std::pair(1, 5)}) {
+        const GearState& gear = table.hits().at(hit)->gears[static_cast<std::size_t>(row)];
+        QCOMPARE(states.item(row, column)->text(), decimalOf(gear.ratio));
+      }
+    }
+    QVERIFY(part<QPushButton>("openOtherHit").isVisible());
+    table.selectRow(2);
+    QTest::keyClick(&table, Qt::Key_Space);
+    QCOMPARE(table.hits().ticked().size(), 2U);
+    QVERIFY(!table.hits().isTicked(table.hits().at(0)) && table.hits().isTicked(table.hits().at(2)));
+    QTRY_VERIFY(m_panel->isSettled());
+    const QSignalSpy opened(m_panel.get(), &DesignerPanel::openWanted);
+    QTest::mouseClick(&part<QPushButton>("openOtherHit"), Qt::LeftButton);
+    QTRY_COMPARE(opened.size(), 1);
+    const auto document = opened.front().front().value<MechanismPtr>();
+    QCOMPARE(document->couplings.size(), table.hits().at(2)->elements.size());
+  }
+
+  void filtersHideWithoutForgetting() {
+    wishForSimpson();
+    searchToTheEnd();
+    HitsTable& table = *m_panel->hits();
+    const std::vector<GearboxPtr> all = table.hits().all();
+    HitFilter filter;
+    filter.set(HitCondition::drawable, 0);
+    table.shown().setFilter(filter);
+    const auto drawable =
+        std::count_if(all.begin(), all.end(), [](const auto& each) { return !each->brokenRule; });
+    QCOMPARE(table.shown().rowCount(), static_cast<int>(drawable));
+    QCOMPARE(filter.hiddenBy(HitCondition::drawable, all),
+             static_cast<int>(all.size()) - table.shown().rowCount());
+    QVERIFY(part<QLabel>("shownCount").text().startsWith(QString::number(drawable) + " of "));
+    filter.set(HitCondition::error, Rational(1, 1000));
+    table.shown().setFilter(filter);
+    for (int row = 0; row < table.shown().rowCount(); ++row) {
+      const Gearbox& each = *table.shown().at(table.shown().index(row, 0));
+      QVERIFY(!each.brokenRule && each.error <= Rational(1, 1000));
+    }
+    QTest::mouseClick(&part<QToolButton>("filter.0"), Qt::LeftButton);  // lets go of the error
+    QCOMPARE(table.shown().rowCount(), static_cast<int>(drawable));
+    for (const HitCondition condition : kHitConditions) {
+      for (const Rational& bound : boundsOf(condition, all)) {
+        HitFilter one;
+        one.set(condition, bound);
+        const auto met =
+            std::count_if(all.begin(), all.end(), [&](const auto& each) { return one.accepts(*each); });
+        QVERIFY(met > 0 && met < static_cast<std::ptrdiff_t>(all.size()));
+      }
+    }
+  }
+
+  void aHiddenRowComesBackByUndo() {
+    wishForSimpson();
+    searchToTheEnd();
+    HitsTable& table = *m_panel->hits();
+    const int all = table.shown().rowCount();
+    table.selectRow(1);
+    const GearboxPtr hidden = table.chosen();
+    QTest::keyClick(&table, Qt::Key_H);
+    QCOMPARE(table.shown().rowCount(), all - 1);
+    QVERIFY(table.chosen() != nullptr && table.chosen() != hidden);
+    QTest::keyClick(&table, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(table.shown().rowCount(), all);
+    QCOMPARE(table.hits().rowCount(), all);
+  }
+
+  void columnsSort() {
+    wishForSimpson();
+    searchToTheEnd();
+    HitsTable& table = *m_panel->hits();
+    for (const int column : {HitsModel::error, HitsModel::speed, HitsModel::torque, HitsModel::circulating}) {
+      table.sortByColumn(column, Qt::AscendingOrder);
+      const HitMeasure measure = *HitsModel::measureOf(column);
+      for (int row = 1; row < table.shown().rowCount(); ++row) {
+        QVERIFY(sortKeyOf(measure, *table.shown().at(table.shown().index(row - 1, 0))) <=
+                sortKeyOf(measure, *table.shown().at(table.shown().index(row, 0))));
+      }
+    }
+  }
+
+  void aVariantIsComparedWithWhatItIsAVariantOf() {
+    wishForSimpson();
+    searchToTheEnd();
+    HitsTable& table = *m_panel->hits();
+    const int before = table.hits().rowCount();
+    int row = 0;
+    auto& button = part<QToolButton>("hitVariants");
+    for (; row < before && !button.isEnabled(); ++row) table.selectRow(row);
+    QVERIFY(button.isEnabled());
+    const GearboxPtr original = table.chosen();
+    emit button.menu()->aboutToShow();
+    QVERIFY(!button.menu()->actions().isEmpty() && button.menu()->actions().front()->isEnabled());
+    button.menu()->actions().front()->trigger();
+    QCOMPARE(table.hits().ticked().size(), 2U);
+    QVERIFY(table.hits().isTicked(original));
+    const GearboxPtr variant = table.chosen();
+    QVERIFY(variant != original && variant->layout == original->layout);
+    QVERIFY(variant->elements != original->elements);
+    for (std::size_t gear = 0; gear < original->gears.size(); ++gear)
+      QCOMPARE(variant->gears[gear].ratio, original->gears[gear].ratio);
+  }
+
+  void rowsHavePictures() {
+    wishForSimpson();
+    searchToTheEnd();
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), kSearch);
+    HitPictures pictures;
+    pictures.startAnew(m_panel->hits()->hits().wish());
+    const QSignalSpy drawn(&pictures, &HitPictures::drawn);
+    const GearboxPtr first = m_panel->hits()->hits().at(0);
+    QVERIFY(pictures.of(first, Theme::light, 1).levers.isNull());
+    QTRY_COMPARE(drawn.size(), 1);
+    const auto made = pictures.of(first, Theme::light, 1);
+    for (const QImage& each : {made.levers, made.schematic}) {
+      QImage empty(each.size(), each.format());
+      empty.fill(Qt::transparent);
+      QVERIFY(!each.isNull() && each != empty);
+    }
+  }
+
+  void aSavedWishIsThatOfTheCommandLine() {
+    wishForSimpson();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("wish.json");
+    m_panel->saveWish(path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const auto read = readGearboxWish(file.readAll().toStdString());
+    QVERIFY(read.has_value());
+    QCOMPARE(read->canonical, m_panel->form()->wish()->canonical);
+    const QSignalSpy rejected(m_panel.get(), &DesignerPanel::rejected);
+    m_panel->saveWish(folder.filePath("none/wish.json"));
+    QCOMPARE(rejected.size(), 1);
   }
 
   // The wish of the eight-speed gearbox takes minutes.

@@ -7,15 +7,15 @@
 namespace geargraph::inline designer {
 
 /// A drawing of core's, as large as there is room.
-class LeverPreview final : public QWidget {
+class DrawingPreview final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LeverPreview(QWidget* parent = nullptr);
+  explicit DrawingPreview(QWidget* parent = nullptr);
 
   void setDrawing(DisplayList drawing);
   [[nodiscard]] const DisplayList& drawing() const { return m_drawing; }
-  [[nodiscard]] QSize sizeHint() const override { return {380, 230}; }
+  [[nodiscard]] QSize sizeHint() const override { return {190, 190}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
