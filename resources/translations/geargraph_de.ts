@@ -14639,6 +14639,26 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Antworten speichern</translation>
     </message>
     <message>
+        <source>Enlarge: %1</source>
+        <translation>Vergrößern: %1</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>Ins Fenster einpassen</translation>
+    </message>
+    <message>
+        <source>Print the questions</source>
+        <translation>Fragen drucken</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Start again? All answers and the name on this device are deleted.</source>
+        <translation>Neu beginnen? Alle Antworten und der Name auf diesem Gerät werden gelöscht.</translation>
+    </message>
+    <message>
         <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
         <translation>Was Sie schreiben, bleibt in diesem Browser. Gespeicherte Antworten sind eine kleine Datei zum Abgeben.</translation>
     </message>

@@ -14639,6 +14639,26 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Guardar respuestas</translation>
     </message>
     <message>
+        <source>Enlarge: %1</source>
+        <translation>Ampliar: %1</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>Ajustar a la ventana</translation>
+    </message>
+    <message>
+        <source>Print the questions</source>
+        <translation>Imprimir las preguntas</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Empezar de nuevo</translation>
+    </message>
+    <message>
+        <source>Start again? All answers and the name on this device are deleted.</source>
+        <translation>¿Empezar de nuevo? Se borran todas las respuestas y el nombre de este dispositivo.</translation>
+    </message>
+    <message>
         <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
         <translation>Lo que escribe queda en este navegador. Las respuestas guardadas son un archivo pequeño para entregar.</translation>
     </message>

@@ -14638,6 +14638,26 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Yanıtları kaydet</translation>
     </message>
     <message>
+        <source>Enlarge: %1</source>
+        <translation>Büyüt: %1</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>Pencereye sığdır</translation>
+    </message>
+    <message>
+        <source>Print the questions</source>
+        <translation>Soruları yazdır</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Yeniden başla</translation>
+    </message>
+    <message>
+        <source>Start again? All answers and the name on this device are deleted.</source>
+        <translation>Yeniden başlansın mı? Bu cihazdaki tüm yanıtlar ve ad silinir.</translation>
+    </message>
+    <message>
         <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
         <translation>Yazdıklarınız bu tarayıcıda kalır. Kaydedilen yanıtlar, teslim edilecek küçük bir dosyadır.</translation>
     </message>
