@@ -123,11 +123,11 @@ std::optional<std::vector<JointOrdinal>> usualJoints(const ExactSolution& soluti
     const int meshes = meshesOf(mechanism, link);
     if (chain && meshes >= fewest) continue;
     std::vector<JointOrdinal> joints = jointsTo(tree, link);
-    const bool drives = std::any_of(joints.begin(), joints.end(), [&](JointOrdinal joint) {
+    const bool isDriven = std::all_of(joints.begin(), joints.end(), [&](JointOrdinal joint) {
       return std::find(solution.outputs.begin(), solution.outputs.end(), static_cast<int>(joint)) !=
              solution.outputs.end();
     });
-    if (!drives || !areIndependent(solution, joints)) continue;
+    if (!isDriven || !areIndependent(solution, joints)) continue;
     chain = std::move(joints);
     fewest = meshes;
   }
