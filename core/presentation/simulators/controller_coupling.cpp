@@ -44,9 +44,9 @@ CouplingRow product(const CouplingRows& rows, const CouplingRow& values) {
 /// All that the files hold, in fractions.
 class CouplingData {
  public:
-  CouplingData(const Mechanism& mechanism, const JointCoupling& coupling)
-      : mechanism(mechanism),
-        coupling(coupling),
+  CouplingData(const Mechanism& ofMechanism, const JointCoupling& ofMotors)
+      : mechanism(ofMechanism),
+        coupling(ofMotors),
         motorToJoint(rowsOf(coupling.motorToJoint, coupling.size())),
         jointToMotor(rowsOf(coupling.jointToMotor, coupling.size())),
         motorTorques(transposed(motorToJoint)),
