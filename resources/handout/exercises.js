@@ -65,8 +65,9 @@ const keep = (key, value) => {
 // ---- One question ----
 
 class Exercise {
-  // `state`: {texts, points, isChecked, isShown}; `changed` is called when it changes; `light` with elements and a mark.
-  constructor(node, question, state, {changed, light}) {
+  // `state`: {texts, points, isChecked, isShown}; `changed` is called when it changes; `light` with elements and a mark; `onward`
+  // goes to the next question, null for the last one.
+  constructor(node, question, state, {changed, light, onward}) {
     Object.assign(this, {node, question, state, changed, light});
     this.fields = question.fields.map((field, i) => fieldFor(field, labelOf(question, i)));
     this.cells = this.fields.map((_, i) => node.querySelector(`[data-field="${i}"]`));
@@ -91,8 +92,12 @@ class Exercise {
     this.again = this.button(say('tryAgain'), () => this.retry());
     for (const main of [this.check, this.again]) main.classList.add('primary');
     this.show = this.button(say('show'), () => this.reveal());
+    this.onward = this.button(say('next'), onward || (() => {}));
+    this.onward.setAttribute('aria-label', say('nextQuestion'));
+    this.onward.classList.add('primary');
+    this.isLast = !onward;
     this.takeHint();
-    const parts = [this.told, this.hint, make('div', {class: 'bar'}, this.check, this.again, this.ask, this.show)];
+    const parts = [this.told, this.hint, make('div', {class: 'bar'}, this.check, this.again, this.onward, this.ask, this.show)];
     if (question.table && question.fields.every(field => field.kind === 'integer')) parts.unshift(this.keys());
     this.controls = make('div', {class: 'controls'}, ...parts);
     node.append(this.controls);
@@ -174,6 +179,7 @@ class Exercise {
     this.again.hidden = !this.verdict || this.verdict.isRight || isShown;
     this.show.hidden = isShown || Boolean(this.verdict && this.verdict.isRight);
     this.ask.hidden = this.show.hidden;
+    this.onward.hidden = this.isLast || !this.show.hidden;  // beside the verdict
     this.showHint();
     this.node.classList.toggle('done', isShown || Boolean(this.verdict && this.verdict.isRight));
   }
@@ -191,7 +197,7 @@ class Exercise {
     this.told.scrollIntoView({block: 'nearest'});
     // A button that can no longer be pressed loses the focus.
     if (this.node.contains(document.activeElement) && document.activeElement !== this.check) return;
-    (this.verdict.isRight ? this.told : this.again).focus({preventScroll: true});
+    (this.verdict.isRight ? (this.isLast ? this.told : this.onward) : this.again).focus({preventScroll: true});
   }
   grade() {
     const {question, state} = this;
@@ -221,6 +227,19 @@ class Exercise {
     if (!isUnreadable) for (const i of wrong) this.fields[i].set('');
     this.write();
     this.fields[wrong.length ? wrong[0] : 0].focus();
+  }
+  // As if nobody had been here.
+  restart() {
+    this.verdict = null;
+    this.at = 0;
+    this.fields.forEach((field, i) => field.set(this.state.texts[i]));
+    for (const control of this.node.querySelectorAll('[data-field] input, [data-field] select, [data-field] button, .keys button'))
+      control.disabled = false;
+    this.told.className = 'verdict';
+    this.told.replaceChildren();
+    this.mark([]);
+    this.light([], 'wrong');
+    this.arrange();
   }
   // The learner's own texts are kept: they are what is handed in.
   reveal() {
@@ -326,9 +345,36 @@ const showSheet = sheet => {
     save.href = 'data:application/json;charset=utf-8,' + encodeURIComponent(answersText(sheet, states, student.value));
   });
 
-  nodes.forEach((node, i) => exercises.push(new Exercise(node, questions[i], states[i], {changed, light})));
+  nodes.forEach((node, i) => exercises.push(new Exercise(node, questions[i], states[i], {
+    changed, light, onward: i + 1 < nodes.length ? () => {
+      go(i + 1);
+      nodes[i + 1].scrollIntoView({block: 'start'});
+      exercises[i + 1].fields[0].focus({preventScroll: true});
+    } : null})));
   nodes[0].before(make('div', {class: 'bar walk'}, back, place, next));
-  section.append(make('div', {class: 'bar handin'}, score, make('label', {for: 'student'}, say('name')), student, save),
+  // On a device that several pupils share the next one begins with an empty sheet.
+  const startAgain = make('button', {type: 'button'}, say('startAgain'));
+  startAgain.addEventListener('click', () => {
+    if (!window.confirm(say('startAgainSure'))) return;
+    try {
+      localStorage.removeItem(key);
+    } catch (error) {
+      // Nothing was kept.
+    }
+    states.forEach((state, i) => Object.assign(state, {texts: questions[i].fields.map(() => ''), points: 0, isChecked: false, isShown: false, isHinted: false}));
+    student.value = '';
+    for (const exercise of exercises) exercise.restart();
+    changed();
+    go(0);
+    nodes[0].scrollIntoView({block: 'start'});
+  });
+  const printSheet = make('button', {type: 'button'}, say('printQuestions'));
+  printSheet.addEventListener('click', () => {
+    document.body.dataset.print = 'exercises';
+    window.addEventListener('afterprint', () => delete document.body.dataset.print, {once: true});
+    window.print();
+  });
+  section.append(make('div', {class: 'bar handin'}, score, make('label', {for: 'student'}, say('name')), student, save, printSheet, startAgain),
                  make('p', {class: 'note'}, say('kept')));
   section.classList.add('live');
   go(at);

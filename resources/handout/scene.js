@@ -284,14 +284,16 @@ const showScene = async place => {
   const fit = () => {
     const width = place.clientWidth;
     if (!width) return;
-    renderer.setSize(width, Math.round(width / 1.5), false);
-    camera.aspect = 1.5;
+    const height = Math.min(Math.round(width / 1.5), Math.round(0.6 * window.innerHeight));  // as the style has it
+    renderer.setSize(width, height, false);
+    camera.aspect = width / height;
     camera.updateProjectionMatrix();
     render();
   };
   if (still) still.hidden = true;
   place.prepend(canvas);
   new ResizeObserver(fit).observe(place);
+  window.addEventListener('resize', fit);
   fit();
   look('3D');
   pose();

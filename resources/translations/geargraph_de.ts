@@ -14639,6 +14639,26 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Antworten speichern</translation>
     </message>
     <message>
+        <source>Enlarge: %1</source>
+        <translation>Vergrößern: %1</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>Ins Fenster einpassen</translation>
+    </message>
+    <message>
+        <source>Print the questions</source>
+        <translation>Fragen drucken</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Start again? All answers and the name on this device are deleted.</source>
+        <translation>Neu beginnen? Alle Antworten und der Name auf diesem Gerät werden gelöscht.</translation>
+    </message>
+    <message>
         <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
         <translation>Was Sie schreiben, bleibt in diesem Browser. Gespeicherte Antworten sind eine kleine Datei zum Abgeben.</translation>
     </message>
@@ -17923,6 +17943,62 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>What the tool expects next, and the counts of the mechanism.</source>
         <translation>Was das Werkzeug als Nächstes erwartet, und die Zahlen des Mechanismus.</translation>
+    </message>
+    <message>
+        <source>The speeds of these joints do not determine those of the motors.</source>
+        <translation>Die Geschwindigkeiten dieser Gelenke bestimmen die der Motoren nicht.</translation>
+    </message>
+    <message>
+        <source>--outputs: there is no turning joint &quot;%1&quot;.</source>
+        <translation>--outputs: Es gibt kein Drehgelenk „%1“.</translation>
+    </message>
+    <message>
+        <source>--outputs: joint %1 is named twice.</source>
+        <translation>--outputs: Gelenk %1 ist zweimal genannt.</translation>
+    </message>
+    <message>
+        <source>There are %1 motors: name as many joints, not %2.</source>
+        <translation>Es gibt %1 Motoren: Nennen Sie ebenso viele Gelenke, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The joints are %1: --outputs names others.</source>
+        <translation>Die Gelenke sind %1: --outputs nennt andere.</translation>
+    </message>
+    <message>
+        <source>the coupling of motors and joints</source>
+        <translation>die Kopplung von Motoren und Gelenken</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (JSON)</source>
+        <translation>Kopplung von Motoren und Gelenken (JSON)</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (C++)</source>
+        <translation>Kopplung von Motoren und Gelenken (C++)</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (Python)</source>
+        <translation>Kopplung von Motoren und Gelenken (Python)</translation>
+    </message>
+    <message>
+        <source>Transmissions of ros2_control (XML)</source>
+        <translation>Getriebe von ros2_control (XML)</translation>
+    </message>
+    <message>
+        <source>Controllers</source>
+        <translation>Steuerungen</translation>
+    </message>
+    <message>
+        <source>the joints that the motors drive, by label, as many as motors (the chain from the ground to a link that they determine)</source>
+        <translation>die Gelenke, die die Motoren antreiben, nach Nummern, ebenso viele wie Motoren (die Kette vom Gestell zu einem Glied, die sie bestimmen)</translation>
+    </message>
+    <message>
+        <source>json (the default), header (C++17), python, or ros2 (transmissions of ros2_control); each of header and python tests itself</source>
+        <translation>json (Vorgabe), header (C++17), python oder ros2 (Getriebe von ros2_control); header und python prüfen sich selbst</translation>
+    </message>
+    <message>
+        <source>Written as</source>
+        <translation>Geschrieben als</translation>
     </message>
 </context>
 </TS>

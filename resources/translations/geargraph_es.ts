@@ -14639,6 +14639,26 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Guardar respuestas</translation>
     </message>
     <message>
+        <source>Enlarge: %1</source>
+        <translation>Ampliar: %1</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>Ajustar a la ventana</translation>
+    </message>
+    <message>
+        <source>Print the questions</source>
+        <translation>Imprimir las preguntas</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Empezar de nuevo</translation>
+    </message>
+    <message>
+        <source>Start again? All answers and the name on this device are deleted.</source>
+        <translation>¿Empezar de nuevo? Se borran todas las respuestas y el nombre de este dispositivo.</translation>
+    </message>
+    <message>
         <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
         <translation>Lo que escribe queda en este navegador. Las respuestas guardadas son un archivo pequeño para entregar.</translation>
     </message>
@@ -17923,6 +17943,62 @@ pares / portasatélites: %3</translation>
     <message>
         <source>What the tool expects next, and the counts of the mechanism.</source>
         <translation>Lo que la herramienta espera a continuación, y los números del mecanismo.</translation>
+    </message>
+    <message>
+        <source>The speeds of these joints do not determine those of the motors.</source>
+        <translation>Las velocidades de estas articulaciones no determinan las de los motores.</translation>
+    </message>
+    <message>
+        <source>--outputs: there is no turning joint &quot;%1&quot;.</source>
+        <translation>--outputs: no hay ninguna articulación giratoria «%1».</translation>
+    </message>
+    <message>
+        <source>--outputs: joint %1 is named twice.</source>
+        <translation>--outputs: la articulación %1 se nombra dos veces.</translation>
+    </message>
+    <message>
+        <source>There are %1 motors: name as many joints, not %2.</source>
+        <translation>Hay %1 motores: nombre el mismo número de articulaciones, no %2.</translation>
+    </message>
+    <message>
+        <source>The joints are %1: --outputs names others.</source>
+        <translation>Las articulaciones son %1: --outputs nombra otras.</translation>
+    </message>
+    <message>
+        <source>the coupling of motors and joints</source>
+        <translation>el acoplamiento de motores y articulaciones</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (JSON)</source>
+        <translation>Acoplamiento de motores y articulaciones (JSON)</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (C++)</source>
+        <translation>Acoplamiento de motores y articulaciones (C++)</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (Python)</source>
+        <translation>Acoplamiento de motores y articulaciones (Python)</translation>
+    </message>
+    <message>
+        <source>Transmissions of ros2_control (XML)</source>
+        <translation>Transmisiones de ros2_control (XML)</translation>
+    </message>
+    <message>
+        <source>Controllers</source>
+        <translation>Controladores</translation>
+    </message>
+    <message>
+        <source>the joints that the motors drive, by label, as many as motors (the chain from the ground to a link that they determine)</source>
+        <translation>las articulaciones que mueven los motores, por etiqueta, tantas como motores (la cadena del bastidor a un eslabón que ellos determinan)</translation>
+    </message>
+    <message>
+        <source>json (the default), header (C++17), python, or ros2 (transmissions of ros2_control); each of header and python tests itself</source>
+        <translation>json (por omisión), header (C++17), python o ros2 (transmisiones de ros2_control); header y python se comprueban a sí mismos</translation>
+    </message>
+    <message>
+        <source>Written as</source>
+        <translation>Escrito como</translation>
     </message>
 </context>
 </TS>

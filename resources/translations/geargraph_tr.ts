@@ -14638,6 +14638,26 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Yanıtları kaydet</translation>
     </message>
     <message>
+        <source>Enlarge: %1</source>
+        <translation>Büyüt: %1</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>Pencereye sığdır</translation>
+    </message>
+    <message>
+        <source>Print the questions</source>
+        <translation>Soruları yazdır</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Yeniden başla</translation>
+    </message>
+    <message>
+        <source>Start again? All answers and the name on this device are deleted.</source>
+        <translation>Yeniden başlansın mı? Bu cihazdaki tüm yanıtlar ve ad silinir.</translation>
+    </message>
+    <message>
         <source>What you write stays in this browser. Saved answers are a small file to hand in.</source>
         <translation>Yazdıklarınız bu tarayıcıda kalır. Kaydedilen yanıtlar, teslim edilecek küçük bir dosyadır.</translation>
     </message>
@@ -17922,6 +17942,62 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>What the tool expects next, and the counts of the mechanism.</source>
         <translation>Aracın sırada ne beklediği ve mekanizmanın sayıları.</translation>
+    </message>
+    <message>
+        <source>The speeds of these joints do not determine those of the motors.</source>
+        <translation>Bu eklemlerin hızları motorların hızlarını belirlemiyor.</translation>
+    </message>
+    <message>
+        <source>--outputs: there is no turning joint &quot;%1&quot;.</source>
+        <translation>--outputs: “%1” diye bir döner eklem yok.</translation>
+    </message>
+    <message>
+        <source>--outputs: joint %1 is named twice.</source>
+        <translation>--outputs: %1 eklemi iki kez anılıyor.</translation>
+    </message>
+    <message>
+        <source>There are %1 motors: name as many joints, not %2.</source>
+        <translation>%1 motor var: %2 değil, bir o kadar eklem adı verin.</translation>
+    </message>
+    <message>
+        <source>The joints are %1: --outputs names others.</source>
+        <translation>Eklemler %1: --outputs başkalarını belirtir.</translation>
+    </message>
+    <message>
+        <source>the coupling of motors and joints</source>
+        <translation>motorlarla eklemlerin bağlaşımı</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (JSON)</source>
+        <translation>Motorlarla eklemlerin bağlaşımı (JSON)</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (C++)</source>
+        <translation>Motorlarla eklemlerin bağlaşımı (C++)</translation>
+    </message>
+    <message>
+        <source>Coupling of motors and joints (Python)</source>
+        <translation>Motorlarla eklemlerin bağlaşımı (Python)</translation>
+    </message>
+    <message>
+        <source>Transmissions of ros2_control (XML)</source>
+        <translation>ros2_control aktarmaları (XML)</translation>
+    </message>
+    <message>
+        <source>Controllers</source>
+        <translation>Denetleyiciler</translation>
+    </message>
+    <message>
+        <source>the joints that the motors drive, by label, as many as motors (the chain from the ground to a link that they determine)</source>
+        <translation>motorların sürdüğü eklemler, etiketleriyle, motor sayısı kadar (gövdeden, belirledikleri bir uzva giden zincir)</translation>
+    </message>
+    <message>
+        <source>json (the default), header (C++17), python, or ros2 (transmissions of ros2_control); each of header and python tests itself</source>
+        <translation>json (varsayılan), header (C++17), python ya da ros2 (ros2_control aktarmaları); header ve python kendilerini sınar</translation>
+    </message>
+    <message>
+        <source>Written as</source>
+        <translation>Yazılış biçimi</translation>
     </message>
 </context>
 </TS>

@@ -314,6 +314,49 @@ test('states of a gearbox are put in by a click', async () => {
   await left(each);
 });
 
+test('a drawing is seen by itself, as large as is wanted, and goes back', async () => {
+  const each = await open('robot');
+  const {page} = each;
+  const figure = '#drawings figure:not(.folded)';
+  await page.focus(`${figure} .larger`);
+  await page.keyboard.press('Enter');
+  const width = () => page.$eval('.zoom svg', node => node.getBoundingClientRect().width);
+  const before = await width();
+  await page.keyboard.press('+');
+  assert.ok(await width() > 1.2 * before);
+  await page.keyboard.press('-');
+  assert.ok(Math.abs(await width() - before) < 1);
+  assert.deepEqual(await barriers(page, '.zoom'), []);
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => !document.querySelector('.zoom'));
+  assert.equal(await page.$$eval(`${figure} svg`, nodes => nodes.length), 1);
+  assert.ok(await page.$eval(`${figure} .larger`, node => node === document.activeElement));
+  await left(each);
+});
+
+test('on a phone, either way up, nothing is wider than the page and the train leaves room', async () => {
+  for (const size of [PHONE, {width: 844, height: 390, isMobile: false}]) {
+    const each = await open('robot', {size});
+    const {page} = each;
+    for (const part of ['drawings', 'matrices', 'solution', 'derivation', 'exercises']) {
+      await page.evaluate(id => document.querySelector(`nav a[href="#${id}"]`).click(), part);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `${part} at ${size.width}`);
+    }
+    await page.evaluate(() => document.querySelector('nav a[href="#solution"]').click());
+    const {height} = await page.$eval('#scene canvas', node => node.getBoundingClientRect().toJSON());
+    assert.ok(height > 50 && height <= 0.6 * size.height + 1, String(height));
+    if (size === PHONE) {
+      // Where a matrix goes on it fades, until it is scrolled to its end.
+      await page.evaluate(() => document.querySelector('nav a[href="#matrices"]').click());
+      const wide = '#matrices .wide:not(.folded)';
+      assert.equal(await page.$eval(wide, node => node.dataset.more), 'right');
+      await page.$eval(wide, node => { node.scrollLeft = node.scrollWidth; });
+      await page.waitForFunction(place => document.querySelector(place).dataset.more === 'left', {}, wide);
+    }
+    await quiet(each);
+  }
+});
+
 test('on a phone each part is a page of its own', async () => {
   const each = await open('robot', {size: PHONE});
   const {page} = each;

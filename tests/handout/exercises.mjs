@@ -251,6 +251,65 @@ test('a hint is there before the answer, when asked for, and says where to look'
   await each.page.browserContext().close();
 });
 
+test('on a phone the sheet leads on, nothing hides under the bar, and a shared device begins again', async () => {
+  const each = await open('robot', {size: PHONE, words: ['--kinds', 'incidence,cycle-basis']});
+  const {page} = each;
+  await page.evaluate(() => document.querySelector('nav a[href="#exercises"]').click());
+  // What has the focus is never below the bar at the bottom.
+  const stops = await page.evaluate(() => {
+    const bar = document.querySelector('nav').getBoundingClientRect().top;
+    return [...document.querySelectorAll('#exercises .question.here :is(input, select, button), .handin :is(input, a, button)')]
+        .filter(node => node.offsetParent && !node.disabled).map(node => {
+          window.scrollTo({top: 0, behavior: 'instant'});
+          node.focus();
+          node.scrollIntoView({block: 'nearest', behavior: 'instant'});
+          return node.getBoundingClientRect().bottom <= bar;
+        });
+  });
+  assert.ok(stops.length > 20, stops.length);
+  assert.ok(stops.every(Boolean), stops.join());
+  // Beside the verdict, not only above the question.
+  const shown = () => page.$$eval('.question.here .controls button', nodes => nodes.filter(node => !node.hidden).map(node => node.textContent));
+  assert.ok(!(await shown()).includes('Next \u203a'));
+  await page.evaluate(() => [...document.querySelectorAll('.question.here .controls button')].find(node => node.textContent === 'Show').click());
+  assert.ok((await shown()).includes('Next \u203a'));
+  await page.evaluate(() => [...document.querySelectorAll('.question.here .controls button')].find(node => node.textContent === 'Next \u203a').click());
+  assert.equal(await page.$eval('.place', node => node.textContent), 'Question 2 of 2');
+  assert.ok(await page.evaluate(() => document.querySelector('.question.here').contains(document.activeElement)));
+  // Start again asks first.
+  await page.type('#student', 'Ada');
+  const startAgain = () => page.evaluate(() => [...document.querySelectorAll('.handin button')].find(node => node.textContent === 'Start again').click());
+  page.once('dialog', dialog => dialog.dismiss());
+  await startAgain();
+  assert.equal(await page.$eval('#student', node => node.value), 'Ada');
+  page.once('dialog', dialog => dialog.accept());
+  await startAgain();
+  assert.equal(await page.$eval('#student', node => node.value), '');
+  assert.equal(await page.$eval('.place', node => node.textContent), 'Question 1 of 2');
+  assert.ok(!(await shown()).includes('Next \u203a'));
+  assert.deepEqual(await page.$$eval('.question.here input', nodes => nodes.map(node => node.value + node.disabled)),
+                   await page.$$eval('.question.here input', nodes => nodes.map(() => 'false')));
+  const {answers} = JSON.parse(await saved(page));
+  assert.ok(Object.values(answers).every(fields => Object.values(fields).every(text => text === '')));
+  await closed(each);
+});
+
+test('the questions are printed alone', async () => {
+  const each = await open('spur-pair');
+  const {page} = each;
+  const printed = await page.evaluate(() => new Promise(done => {
+    window.print = () => done(document.body.dataset.print);
+    [...document.querySelectorAll('.handin button')].find(node => node.textContent === 'Print the questions').click();
+  }));
+  assert.equal(printed, 'exercises');
+  await page.emulateMediaType('print');
+  const seen = id => page.$eval(id, node => node.getClientRects().length > 0);
+  assert.deepEqual([await seen('#exercises'), await seen('#drawings'), await seen('#solution')], [true, false, false]);
+  await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+  assert.deepEqual([await seen('#exercises'), await seen('#drawings'), await seen('#solution')], [true, true, true]);
+  await closed(each);
+});
+
 test('on paper all questions are there, with empty blanks', async () => {
   const each = await open('robot', {words: ['--kinds', 'cycle-basis,freedom,inputs']});
   await answer(each.page, 0, Array(11).fill('1'));

@@ -17,6 +17,7 @@ namespace geargraph::inline exporters {
 [[nodiscard]] ExportFamily assemblyFamily();
 [[nodiscard]] ExportFamily simulatorFamily();
 [[nodiscard]] ExportFamily jointModelFamily();
+[[nodiscard]] ExportFamily controllerFamily();
 [[nodiscard]] ExportFamily graphFamily();
 
 }  // namespace geargraph::inline exporters

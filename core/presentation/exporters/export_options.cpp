@@ -16,6 +16,7 @@ constexpr std::string_view kOfDerivations = toTranslate("Derivations");
 constexpr std::string_view kOfHandouts = toTranslate("Handouts");
 constexpr std::string_view kOfSolids = toTranslate("Solids");
 constexpr std::string_view kOfSimulators = toTranslate("Simulators");
+constexpr std::string_view kOfControllers = toTranslate("Controllers");
 constexpr std::string_view kOfViews =
     toTranslate("Drawings and 3D pictures (--to svg, pdf or png --view NAME)");
 constexpr std::string_view kOf3D = toTranslate("3D pictures (--to png --view 3d)");
@@ -211,6 +212,16 @@ constexpr std::array kRows = {
         toTranslate("Inertia of the rotors")},
     Row{composed({"--timestep", "S", toTranslate("mjcf: seconds (0.001)")}, kOfSimulators),
         toTranslate("Time step")},
+    Row{composed({"--outputs", "10,12,14",
+                  toTranslate("the joints that the motors drive, by label, as many as motors (the chain from "
+                              "the ground to a link that they determine)")},
+                 kOfControllers),
+        toTranslate("Joints")},
+    Row{composed({"--as", "NAME",
+                  toTranslate("json (the default), header (C++17), python, or ros2 (transmissions of "
+                              "ros2_control); each of header and python tests itself")},
+                 kOfControllers),
+        toTranslate("Written as")},
 };
 
 constexpr auto kTexts = [] {

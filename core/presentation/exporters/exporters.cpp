@@ -64,10 +64,10 @@ std::optional<int> fitOf(const Exporter& exporter, const OptionValues& given) {
 }  // namespace
 
 std::span<const ExportFamily> exportFamilies() {
-  static const std::array kFamilies = {matrixFamily(),    derivationFamily(), handoutFamily(),
-                                       drawingFamily(),   pictureFamily(),    animationFamily(),
-                                       seenSolidFamily(), solidFamily(),      assemblyFamily(),
-                                       simulatorFamily(), jointModelFamily(), graphFamily()};
+  static const std::array kFamilies = {
+      matrixFamily(),     derivationFamily(), handoutFamily(), drawingFamily(),  pictureFamily(),
+      animationFamily(),  seenSolidFamily(),  solidFamily(),   assemblyFamily(), simulatorFamily(),
+      jointModelFamily(), controllerFamily(), graphFamily()};
   return kFamilies;
 }
 

@@ -26,6 +26,8 @@ figcaption { color: var(--soft); }
 mtd { padding: 0.15em 0.45em; } mtd.r { text-align: right; } mtd.l { text-align: left; } mtd.c { text-align: center; }
 mtd.bar { border-left: 1px solid; } mtd.rule { border-top: 1px solid; }
 mtable.aligned mtd { padding: 0.25em 0.1em; }
+@media (max-width: 40rem) { body { padding: 1rem 0.9rem 3rem; } .equation { gap: 0.5rem; } table { display: block; overflow-x: auto; } }
+@media screen and (prefers-color-scheme: dark) { figure svg { filter: invert(0.88) hue-rotate(180deg); } }
 @media print { :root { --ink: #000; --ground: #fff; } body { max-width: none; padding: 0; } }
 )";
 
@@ -133,8 +135,10 @@ class HtmlWriter {
 std::string reportHtml(const Report& report, const ReportDrawings& drawings) {
   const std::string title = escapedXml(report.title);
   std::string text = "<!DOCTYPE html>\n<html lang=\"" + translated("en") +
-                     "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" +
-                     std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
+                     "\">\n<head>\n<meta charset=\"utf-8\">\n"
+                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+                     title + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" +
+                     title + "</h1>\n";
   const HtmlWriter writer(drawings, false);
   for (const ReportBlock& block : report.blocks) text += std::visit(writer, block);
   return text + "</body>\n</html>\n";
