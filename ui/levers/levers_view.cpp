@@ -117,7 +117,7 @@ void LeversView::redraw() {
   m_nomogram = {};
   DrawingScene::Draw draw = [](const Emphases&) { return DisplayList{}; };
   if (shows(LeversPage::levers)) {
-    const LeverLook look{m_bar->showsSpeeds(), m_bar->showsTorques(),
+    const LeverLook look{m_bar->showsSpeeds(), m_bar->showsTorques(), true,
                          m_pull ? std::optional(m_pull->scale) : std::nullopt};
     const auto sheet = [drawn = m_drawn, look](const Emphases& emphases) {
       return leverSheet(*drawn->snapshot->mechanism, drawn->picture, drawn->layout, emphases, look);
