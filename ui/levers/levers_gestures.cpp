@@ -79,7 +79,7 @@ void LeversView::pressed(const Pointer& pointer) {
     if (!why.isEmpty()) setHint(why);
     return;
   }
-  if (tool() != ToolKind::select) return DrawingView::pressed(pointer);
+  if (tool() != ToolKind::select || !m_isOpen) return DrawingView::pressed(pointer);
   if (!pointer.on) m_pressedState = stateAt(pointer.at);
   if (m_pressedState || grabTip(pointer)) return;
   DrawingView::pressed(pointer);
@@ -209,7 +209,7 @@ void LeversView::openElement(const ElementId& element) {
     const auto& engaged = mechanism().engaged;
     return commands().engage(coupling, std::find(engaged.begin(), engaged.end(), coupling) == engaged.end());
   }
-  const int at = element.kind == ElementKind::link ? current() : -1;
+  const int at = element.kind == ElementKind::link && m_isOpen ? current() : -1;
   if (at < 0) return DrawingView::openElement(element);
   typeSpeed(m_levers.spots[static_cast<std::size_t>(at)]);
 }
@@ -339,7 +339,7 @@ void LeversView::nudge(double dx, double dy, bool /*repeated*/) {
 
 void LeversView::keyPressEvent(QKeyEvent* event) {
   const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isReturn && m_state && shows(LeversPage::nomogram)) return engageState(*m_state);
+  if (isReturn && m_isOpen && m_state && shows(LeversPage::nomogram)) return engageState(*m_state);
   DrawingView::keyPressEvent(event);
 }
 

@@ -38,7 +38,7 @@ void LeversView::setPage(LeversPage page) {
 }
 
 bool LeversView::shows(LeversPage page) const {
-  return m_drawn && m_isOpen && m_drawn->page == page;
+  return m_drawn && (m_isOpen || m_isRead) && m_drawn->page == page;
 }
 
 void LeversView::choosePage() {
@@ -68,6 +68,11 @@ void LeversView::setSnapshot(const SnapshotPtr& snapshot) {
 
 void LeversView::setAnswersOpen(bool isOpen) {
   m_isOpen = isOpen;
+  redraw();
+}
+
+void LeversView::setRead(bool isRead) {
+  m_isRead = isRead;
   redraw();
 }
 
@@ -117,7 +122,7 @@ void LeversView::redraw() {
   m_nomogram = {};
   DrawingScene::Draw draw = [](const Emphases&) { return DisplayList{}; };
   if (shows(LeversPage::levers)) {
-    const LeverLook look{m_bar->showsSpeeds(), m_bar->showsTorques(), true,
+    const LeverLook look{m_bar->showsSpeeds(), m_bar->showsTorques(), m_isOpen,
                          m_pull ? std::optional(m_pull->scale) : std::nullopt};
     const auto sheet = [drawn = m_drawn, look](const Emphases& emphases) {
       return leverSheet(*drawn->snapshot->mechanism, drawn->picture, drawn->layout, emphases, look);
@@ -126,12 +131,12 @@ void LeversView::redraw() {
     if (missing().isEmpty()) draw = [sheet](const Emphases& emphases) { return sheet(emphases).drawing; };
   } else if (shows(LeversPage::nomogram)) {
     static const Placement kNowhere{};
-    const auto sheet = [drawn = m_drawn](const Emphases& emphases) {
+    const auto sheet = [drawn = m_drawn, isOpen = m_isOpen](const Emphases& emphases) {
       const StatesOnLevers& states = drawn->states;
       const LiveKinematics* const kinematics = drawn->snapshot->kinematics.get();
       return nomogramSheet(*drawn->snapshot->mechanism, states.plan,
                            states.plan.mainAxis < 0 ? kNowhere : kinematics->placement(), states.states,
-                           states.current, emphases);
+                           isOpen ? states.current : std::nullopt, emphases);
     };
     m_nomogram = sheet({});
     if (missing().isEmpty()) draw = [sheet](const Emphases& emphases) { return sheet(emphases).drawing; };
@@ -148,7 +153,8 @@ void LeversView::redraw() {
 }
 
 QString LeversView::missing() const {
-  if (!m_isOpen) return tr("The levers hold the answer: they are shown when the step is right or shown.");
+  if (!m_isOpen && !m_isRead)
+    return tr("The levers hold the answer: they are shown when the step is right or shown.");
   if (!m_drawn) return {};
   const Mechanism& mechanism = drawnMechanism();
   switch (m_drawn->page) {
@@ -232,13 +238,13 @@ QString LeversView::cardOf(const LeverSpot& spot) const {
 
 QString LeversView::toolTipFor(const ElementId& element) const {
   const QString plain = DrawingView::toolTipFor(element);
-  if (element.kind != ElementKind::link || !shows(LeversPage::levers)) return plain;
+  if (element.kind != ElementKind::link || !m_isOpen || !shows(LeversPage::levers)) return plain;
   const QString points = pointsOfLink(*m_drawn, drawnMechanism(), LinkId(element.id));
   return points.isEmpty() ? plain : plain + QLatin1Char('\n') + points;
 }
 
 bool LeversView::viewportEvent(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return DrawingView::viewportEvent(event);
+  if (event->type() != QEvent::ToolTip || !m_isOpen) return DrawingView::viewportEvent(event);
   auto* help = static_cast<QHelpEvent*>(event);
   const QPointF scenePlace = mapToScene(help->pos());
   const SheetPoint place{scenePlace.x(), scenePlace.y()};

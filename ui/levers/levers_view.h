@@ -29,6 +29,9 @@ class LeversView final : public DrawingView {
 
   void setSnapshot(const SnapshotPtr& snapshot) override;
   void setAnswersOpen(bool isOpen) override;
+  /// Does a lesson's step ask to read this view? Then it is shown without numbers, and cannot be edited, also
+  /// while answers are closed.
+  void setRead(bool isRead);
   /// Is the newest analysis drawn?
   [[nodiscard]] bool isUpToDate() const;
   /// Has all been drawn that was asked for? A hidden view asks for nothing.
@@ -135,6 +138,7 @@ class LeversView final : public DrawingView {
   int m_walked = -1;         ///< the point where the keys were last
   bool m_isOverTip = false;  ///< an arrow that can be dragged is under the mouse
   bool m_isOpen = true;      ///< as setAnswersOpen() says
+  bool m_isRead = false;     ///< as setRead() says
   bool m_fitNext = true;     ///< the next drawing is of another document or page
   bool m_behind = false;     ///< the snapshot has changed while the view was hidden
 };
