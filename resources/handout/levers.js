@@ -60,7 +60,9 @@ if (leverSheet) {
       arrows.append(arrow);
     }
   }
-  leverSheet.append(arrows);
+  // Under the discs with their labels.
+  const disc = [...leverSheet.querySelectorAll('[data-list=links]')].find(node => node.dataset.id && node.querySelector('rect'));
+  disc.before(arrows);
   motionWatchers.push(showSpeeds);
   showSpeeds();
 }
