@@ -61,8 +61,8 @@ class PagePainter {
       m_pages.formula(*formula.box, kSide + formula.x, top + formula.y, formula.size, kInk, kSoft);
     }
     if (const auto& figure = line.figure) {
-      m_pages.drawing(figure->curves ? *figure->curves : m_drawings[figure->drawing], kSide + figure->x,
-                      top, figure->width, figure->height);
+      m_pages.drawing(figure->curves ? *figure->curves : m_drawings[figure->drawing], kSide + figure->x, top,
+                      figure->width, figure->height);
     }
   }
 

@@ -245,10 +245,13 @@ class TestTeethSearch : public QObject {
     const Mechanism drawn = planetarySet({24, 18}, 1);
     const auto conflictsOf = [&](const std::string& first, const std::string& second,
                                  const std::string& third) {
-      const std::string wish = R"({"ratios": [{"drive": "1", "driven": "3", "held": ["2"], "ratio": ")" +
-                               first + R"("}, {"drive": "2", "driven": "3", "held": ["1"], "ratio": ")" +
-                               second + R"("}, {"drive": "3", "driven": "1", "held": ["2"], "ratio": ")" +
-                               third + R"("}], "most": 60})";
+      std::string wish = R"({"ratios": [{"drive": "1", "driven": "3", "held": ["2"], "ratio": "FIRST"},
+                                        {"drive": "2", "driven": "3", "held": ["1"], "ratio": "SECOND"},
+                                        {"drive": "3", "driven": "1", "held": ["2"], "ratio": "THIRD"}],
+                             "most": 60})";
+      for (const auto& [place, ratio] :
+           {std::pair("FIRST", first), std::pair("SECOND", second), std::pair("THIRD", third)})
+        wish.replace(wish.find(place), std::string(place).size(), ratio);
       const TeethAnswer answer = answerFor(drawn, wish);
       if (answer.found.counts.accepted > 0 && !answer.conflicts.empty())
         qFatal("conflicts of what was found");
