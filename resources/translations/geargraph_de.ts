@@ -17517,6 +17517,46 @@ Radpaare / Steg: %3</translation>
         <source>Link &quot;%1&quot; is on no lever.</source>
         <translation>Glied „%1“ liegt auf keinem Hebel.</translation>
     </message>
+    <message>
+        <source>Speed plan</source>
+        <translation>Drehzahlplan</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s plan beside the section: peripheral velocities over the radius, a line for each link</source>
+        <translation>Kutzbachs Plan neben dem Schnitt: Umfangsgeschwindigkeiten über dem Radius, eine Linie je Glied</translation>
+    </message>
+    <message>
+        <source>Click the point to lock link %1 with. Esc ends</source>
+        <translation>Punkt anklicken, der mit Glied %1 verbunden wird. Esc beendet</translation>
+    </message>
+    <message>
+        <source>Each line is a link: its slope is the speed, lines cross at the teeth</source>
+        <translation>Jede Linie ist ein Glied: Ihre Steigung ist die Drehzahl, Linien kreuzen sich an den Zähnen</translation>
+    </message>
+    <message>
+        <source>Lock with…</source>
+        <translation>Verbinden mit…</translation>
+    </message>
+    <message>
+        <source>A clutch to the link that you click next</source>
+        <translation>Eine Kupplung zu dem Glied, das Sie als Nächstes anklicken</translation>
+    </message>
+    <message>
+        <source>Let go (B)</source>
+        <translation>Lösen (B)</translation>
+    </message>
+    <message>
+        <source>Hold (B)</source>
+        <translation>Festhalten (B)</translation>
+    </message>
+    <message>
+        <source>Release the brake of this link</source>
+        <translation>Die Bremse dieses Glieds lösen</translation>
+    </message>
+    <message>
+        <source>Engage the brake of this link, a new one where it has none</source>
+        <translation>Die Bremse dieses Glieds schließen, eine neue, wo es keine hat</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

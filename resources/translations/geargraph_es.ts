@@ -17517,6 +17517,46 @@ pares / portasatélites: %3</translation>
         <source>Link &quot;%1&quot; is on no lever.</source>
         <translation>El eslabón «%1» no está en ninguna palanca.</translation>
     </message>
+    <message>
+        <source>Speed plan</source>
+        <translation>Plano de velocidades</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s plan beside the section: peripheral velocities over the radius, a line for each link</source>
+        <translation>El plano de Kutzbach junto a la sección: velocidades periféricas sobre el radio, una línea por eslabón</translation>
+    </message>
+    <message>
+        <source>Click the point to lock link %1 with. Esc ends</source>
+        <translation>Haga clic en el punto que se une al eslabón %1. Esc termina</translation>
+    </message>
+    <message>
+        <source>Each line is a link: its slope is the speed, lines cross at the teeth</source>
+        <translation>Cada línea es un eslabón: su pendiente es la velocidad; las líneas se cruzan en los dientes</translation>
+    </message>
+    <message>
+        <source>Lock with…</source>
+        <translation>Unir con…</translation>
+    </message>
+    <message>
+        <source>A clutch to the link that you click next</source>
+        <translation>Un embrague al eslabón en que haga clic después</translation>
+    </message>
+    <message>
+        <source>Let go (B)</source>
+        <translation>Soltar (B)</translation>
+    </message>
+    <message>
+        <source>Hold (B)</source>
+        <translation>Retener (B)</translation>
+    </message>
+    <message>
+        <source>Release the brake of this link</source>
+        <translation>Liberar el freno de este eslabón</translation>
+    </message>
+    <message>
+        <source>Engage the brake of this link, a new one where it has none</source>
+        <translation>Activar el freno de este eslabón, uno nuevo si no tiene</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

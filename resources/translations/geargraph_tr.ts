@@ -17516,6 +17516,46 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>Link &quot;%1&quot; is on no lever.</source>
         <translation>“%1” uzvu hiçbir kaldıraçta değil.</translation>
     </message>
+    <message>
+        <source>Speed plan</source>
+        <translation>Hız planı</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s plan beside the section: peripheral velocities over the radius, a line for each link</source>
+        <translation>Kesitin yanında Kutzbach planı: yarıçapa göre çevresel hızlar, her uzuv için bir çizgi</translation>
+    </message>
+    <message>
+        <source>Click the point to lock link %1 with. Esc ends</source>
+        <translation>%1 uzvunun kilitleneceği noktayı tıklayın. Esc bitirir</translation>
+    </message>
+    <message>
+        <source>Each line is a link: its slope is the speed, lines cross at the teeth</source>
+        <translation>Her çizgi bir uzuvdur: eğimi hızıdır, çizgiler dişlerde kesişir</translation>
+    </message>
+    <message>
+        <source>Lock with…</source>
+        <translation>Kilitle…</translation>
+    </message>
+    <message>
+        <source>A clutch to the link that you click next</source>
+        <translation>Sonra tıkladığınız uzva bir kavrama</translation>
+    </message>
+    <message>
+        <source>Let go (B)</source>
+        <translation>Bırak (B)</translation>
+    </message>
+    <message>
+        <source>Hold (B)</source>
+        <translation>Tut (B)</translation>
+    </message>
+    <message>
+        <source>Release the brake of this link</source>
+        <translation>Bu uzvun frenini bırak</translation>
+    </message>
+    <message>
+        <source>Engage the brake of this link, a new one where it has none</source>
+        <translation>Bu uzvun frenini devreye al, yoksa yenisini ekle</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
