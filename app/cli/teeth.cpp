@@ -91,8 +91,10 @@ std::string asText(const TeethAnswer& answer) {
   for (const auto& [name, count] : filtersOf(*answer.problem, found.counts))
     text += "  " + std::to_string(count) + ' ' + filterText(name) + '\n';
   text += "  " + std::to_string(found.counts.accepted) + ' ' + translated("meet the wish") + "\n\n";
+  for (const std::string& conflict : conflictSentences(answer)) text += conflict + '\n';
   if (answer.nearest)
     return text + aligned(translated("None. The nearest"), choiceRows(answer, {*answer.nearest}));
+  if (!answer.conflicts.empty()) return text;
   return text + aligned(translated("Choices, the best first"), choiceRows(answer, answer.choices));
 }
 

@@ -47,6 +47,17 @@ class Rational {
     const excess = Math.max(0, this.denominator.toString(2).length - 1000);
     return Number(this.numerator >> BigInt(excess)) / Number(this.denominator >> BigInt(excess));
   }
+  // With at most this many decimals, ties to even.
+  toDecimals(digits) {
+    const scaled = this.numerator * 10n ** BigInt(digits);
+    const size = scaled < 0n ? -scaled : scaled;
+    let whole = size / this.denominator;
+    const rest = 2n * (size % this.denominator);
+    if (rest > this.denominator || (rest === this.denominator && whole % 2n)) ++whole;
+    const text = whole.toString().padStart(digits + 1, '0');
+    const decimals = text.slice(text.length - digits).replace(/0+$/, '');
+    return (scaled < 0n && whole ? '\u2212' : '') + text.slice(0, text.length - digits) + (decimals ? '.' + decimals : '');
+  }
   toString() {
     const sign = this.numerator < 0n ? '\u2212' : '';
     const size = this.numerator < 0n ? -this.numerator : this.numerator;

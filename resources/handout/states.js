@@ -1,5 +1,6 @@
 // States of a gearbox: each puts its brakes and clutches in, as rows below those of the meshes.
 
+const stateWatchers = [];  // called with the position of the state that is in
 const stateRows = [...document.querySelectorAll('[data-state]')];
 const putIn = at => {
   const state = data.states[at];
@@ -13,6 +14,7 @@ const putIn = at => {
     row.classList.toggle('in', isIn);
     row.querySelector('button')?.setAttribute('aria-pressed', String(isIn));
   }
+  for (const watcher of stateWatchers) watcher(at);
 };
 for (const row of stateRows) {
   const at = Number(row.dataset.state);

@@ -13147,10 +13147,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Die erste Bedingung, die nicht erfüllt ist, ist %1.</translation>
     </message>
     <message>
-        <source>A view is digraph, tt-graph or schematic.</source>
-        <translation>Eine Ansicht ist digraph, tt-graph oder schematic.</translation>
-    </message>
-    <message>
         <source>An id consists of small letters, digits and hyphens, such as &quot;cycle-basis&quot;.</source>
         <translation>Eine Kennung besteht aus Kleinbuchstaben, Ziffern und Bindestrichen, etwa „cycle-basis“.</translation>
     </message>
@@ -17920,6 +17916,132 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
         <translation>Keiner: keine ganzen Zähnezahlen in den Grenzen haben diese Übersetzungen. Ein Spielraum von 1 bis 3 oder weitere Grenzen können helfen.</translation>
+        <source>ratio %1 (%2)</source>
+        <translation>Übersetzung %1 (%2)</translation>
+    </message>
+    <message>
+        <source>No choice within the limits has %1.</source>
+        <translation>Keine Wahl innerhalb der Grenzen hat %1.</translation>
+    </message>
+    <message>
+        <source>No choice within the limits has both %1 and %2.</source>
+        <translation>Keine Wahl innerhalb der Grenzen hat zugleich %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Levers. Points: links of a gear set at exact distances; arrows: their speeds.</source>
+        <translation>Hebel. Punkte: Glieder eines Radsatzes in genauen Abständen; Pfeile: ihre Drehzahlen.</translation>
+    </message>
+    <message>
+        <source>Nomogram. A line for each state through the speeds of the links, the drive being 1.</source>
+        <translation>Nomogramm. Eine Linie je Schaltzustand durch die Drehzahlen der Glieder; der Antrieb hat 1.</translation>
+    </message>
+    <message>
+        <source>%1 is engaged: the plane projected along its line</source>
+        <translation>%1 ist geschlossen: die Ebene entlang seiner Linie projiziert</translation>
+    </message>
+    <message>
+        <source>peripheral velocity in %1/s</source>
+        <translation>Umfangsgeschwindigkeit in %1/s</translation>
+    </message>
+    <message>
+        <source>A line for each link; its slope is the speed in rad/s. Filled points: teeth; others: carried axes.</source>
+        <translation>Eine Linie je Glied; ihre Steigung ist die Drehzahl in rad/s. Gefüllte Punkte: Zähne; andere: getragene Achsen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 joins axes that are not in one plane with that of their carrier: its lines do not meet.</source>
+        <translation>Eingriff %1 verbindet Achsen, die mit der ihres Stegs nicht in einer Ebene liegen: seine Linien treffen sich nicht.</translation>
+    </message>
+    <message>
+        <source>Meshes %1 join axes that are not in one plane with that of their carrier: their lines do not meet.</source>
+        <translation>Die Eingriffe %1 verbinden Achsen, die mit der ihres Stegs nicht in einer Ebene liegen: ihre Linien treffen sich nicht.</translation>
+    </message>
+    <message>
+        <source>The section is unrolled in another way: not all teeth are at the heights of the plan.</source>
+        <translation>Der Schnitt ist anders abgewickelt: nicht alle Zähne liegen auf den Höhen des Plans.</translation>
+    </message>
+    <message>
+        <source>No speed plan: the train is not finished, see Problems.</source>
+        <translation>Kein Drehzahlplan: Das Getriebe ist nicht fertig, siehe Probleme.</translation>
+    </message>
+    <message>
+        <source>No speed plan: the speeds are not determined, see Problems.</source>
+        <translation>Kein Drehzahlplan: Die Drehzahlen sind nicht bestimmt, siehe Probleme.</translation>
+    </message>
+    <message>
+        <source>No speed plan: it needs axes that are all parallel.</source>
+        <translation>Kein Drehzahlplan: Er braucht Achsen, die alle parallel sind.</translation>
+    </message>
+    <message>
+        <source>Each gear set is a lever: its links on the ground&apos;s axis are points with exact places, 0 at one end and 1 at the other. In every motion the speed of a link is an affine function of its place, $\omega(x) = \omega(0) + x\,(\omega(1) - \omega(0))$.</source>
+        <translation>Jeder Radsatz ist ein Hebel: Seine Glieder auf der Achse des Gestells sind Punkte an genauen Stellen, 0 an einem Ende und 1 am anderen. In jeder Bewegung ist die Drehzahl eines Glieds eine affine Funktion seiner Stelle, $\omega(x) = \omega(0) + x\,(\omega(1) - \omega(0))$.</translation>
+    </message>
+    <message>
+        <source>Nomogram of the states, the speed of the drive being 1</source>
+        <translation>Nomogramm der Schaltzustände; die Drehzahl des Antriebs ist 1</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Speed in rad/s</source>
+        <translation>Drehzahl in rad/s</translation>
+    </message>
+    <message>
+        <source>Lever of %1, %2 teeth:</source>
+        <translation>Hebel von %1, %2 Zähne:</translation>
+    </message>
+    <message>
+        <source>These links are on one lever by these tooth counts only.</source>
+        <translation>Diese Glieder liegen nur bei diesen Zähnezahlen auf einem Hebel.</translation>
+    </message>
+    <message>
+        <source>A view is digraph, tt-graph, schematic, levers or nomogram.</source>
+        <translation>Eine Ansicht ist digraph, tt-graph, schematic, levers oder nomogram.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; is on no lever.</source>
+        <translation>Glied „%1“ liegt auf keinem Hebel.</translation>
+    </message>
+    <message>
+        <source>Speed plan</source>
+        <translation>Drehzahlplan</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s plan beside the section: peripheral velocities over the radius, a line for each link</source>
+        <translation>Kutzbachs Plan neben dem Schnitt: Umfangsgeschwindigkeiten über dem Radius, eine Linie je Glied</translation>
+    </message>
+    <message>
+        <source>Click the point to lock link %1 with. Esc ends</source>
+        <translation>Punkt anklicken, der mit Glied %1 verbunden wird. Esc beendet</translation>
+    </message>
+    <message>
+        <source>Each line is a link: its slope is the speed, lines cross at the teeth</source>
+        <translation>Jede Linie ist ein Glied: Ihre Steigung ist die Drehzahl, Linien kreuzen sich an den Zähnen</translation>
+    </message>
+    <message>
+        <source>Lock with…</source>
+        <translation>Verbinden mit…</translation>
+    </message>
+    <message>
+        <source>A clutch to the link that you click next</source>
+        <translation>Eine Kupplung zu dem Glied, das Sie als Nächstes anklicken</translation>
+    </message>
+    <message>
+        <source>Let go (B)</source>
+        <translation>Lösen (B)</translation>
+    </message>
+    <message>
+        <source>Hold (B)</source>
+        <translation>Festhalten (B)</translation>
+    </message>
+    <message>
+        <source>Release the brake of this link</source>
+        <translation>Die Bremse dieses Glieds lösen</translation>
+    </message>
+    <message>
+        <source>Engage the brake of this link, a new one where it has none</source>
+        <translation>Die Bremse dieses Glieds schließen, eine neue, wo es keine hat</translation>
     </message>
 </context>
 <context>

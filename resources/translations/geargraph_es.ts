@@ -13147,10 +13147,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>La primera condición que falla es %1.</translation>
     </message>
     <message>
-        <source>A view is digraph, tt-graph or schematic.</source>
-        <translation>Una vista es digraph, tt-graph o schematic.</translation>
-    </message>
-    <message>
         <source>An id consists of small letters, digits and hyphens, such as &quot;cycle-basis&quot;.</source>
         <translation>Un identificador consta de minúsculas, cifras y guiones, como «cycle-basis».</translation>
     </message>
@@ -17920,6 +17916,132 @@ pares / portasatélites: %3</translation>
     <message>
         <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
         <translation>Ninguno: ningún número entero de dientes dentro de los límites da estas relaciones. Puede ayudar una holgura de 1 a 3 o límites más amplios.</translation>
+        <source>ratio %1 (%2)</source>
+        <translation>la relación %1 (%2)</translation>
+    </message>
+    <message>
+        <source>No choice within the limits has %1.</source>
+        <translation>Ninguna opción dentro de los límites tiene %1.</translation>
+    </message>
+    <message>
+        <source>No choice within the limits has both %1 and %2.</source>
+        <translation>Ninguna opción dentro de los límites tiene a la vez %1 y %2.</translation>
+    </message>
+    <message>
+        <source>Levers. Points: links of a gear set at exact distances; arrows: their speeds.</source>
+        <translation>Palancas. Puntos: eslabones de un tren a distancias exactas; flechas: sus velocidades.</translation>
+    </message>
+    <message>
+        <source>Nomogram. A line for each state through the speeds of the links, the drive being 1.</source>
+        <translation>Nomograma. Una línea por estado que pasa por las velocidades de los eslabones; el accionamiento es 1.</translation>
+    </message>
+    <message>
+        <source>%1 is engaged: the plane projected along its line</source>
+        <translation>%1 está activado: el plano proyectado a lo largo de su línea</translation>
+    </message>
+    <message>
+        <source>peripheral velocity in %1/s</source>
+        <translation>velocidad periférica en %1/s</translation>
+    </message>
+    <message>
+        <source>A line for each link; its slope is the speed in rad/s. Filled points: teeth; others: carried axes.</source>
+        <translation>Una línea por eslabón; su pendiente es la velocidad en rad/s. Puntos llenos: dientes; los demás: ejes llevados.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 joins axes that are not in one plane with that of their carrier: its lines do not meet.</source>
+        <translation>El engrane %1 une ejes que no están en un plano con el de su portasatélites: sus líneas no se cortan.</translation>
+    </message>
+    <message>
+        <source>Meshes %1 join axes that are not in one plane with that of their carrier: their lines do not meet.</source>
+        <translation>Los engranes %1 unen ejes que no están en un plano con el de su portasatélites: sus líneas no se cortan.</translation>
+    </message>
+    <message>
+        <source>The section is unrolled in another way: not all teeth are at the heights of the plan.</source>
+        <translation>La sección está desarrollada de otro modo: no todos los dientes están a las alturas del plano.</translation>
+    </message>
+    <message>
+        <source>No speed plan: the train is not finished, see Problems.</source>
+        <translation>No hay plano de velocidades: el tren no está terminado, vea Problemas.</translation>
+    </message>
+    <message>
+        <source>No speed plan: the speeds are not determined, see Problems.</source>
+        <translation>No hay plano de velocidades: las velocidades no están determinadas, vea Problemas.</translation>
+    </message>
+    <message>
+        <source>No speed plan: it needs axes that are all parallel.</source>
+        <translation>No hay plano de velocidades: necesita ejes que sean todos paralelos.</translation>
+    </message>
+    <message>
+        <source>Each gear set is a lever: its links on the ground&apos;s axis are points with exact places, 0 at one end and 1 at the other. In every motion the speed of a link is an affine function of its place, $\omega(x) = \omega(0) + x\,(\omega(1) - \omega(0))$.</source>
+        <translation>Cada tren es una palanca: sus eslabones en el eje del bastidor son puntos en lugares exactos, 0 en un extremo y 1 en el otro. En todo movimiento la velocidad de un eslabón es una función afín de su lugar, $\omega(x) = \omega(0) + x\,(\omega(1) - \omega(0))$.</translation>
+    </message>
+    <message>
+        <source>Nomogram of the states, the speed of the drive being 1</source>
+        <translation>Nomograma de los estados; la velocidad del accionamiento es 1</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Speed in rad/s</source>
+        <translation>Velocidad en rad/s</translation>
+    </message>
+    <message>
+        <source>Lever of %1, %2 teeth:</source>
+        <translation>Palanca de %1, %2 dientes:</translation>
+    </message>
+    <message>
+        <source>These links are on one lever by these tooth counts only.</source>
+        <translation>Estos eslabones están en una palanca solo con estos números de dientes.</translation>
+    </message>
+    <message>
+        <source>A view is digraph, tt-graph, schematic, levers or nomogram.</source>
+        <translation>Una vista es digraph, tt-graph, schematic, levers o nomogram.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; is on no lever.</source>
+        <translation>El eslabón «%1» no está en ninguna palanca.</translation>
+    </message>
+    <message>
+        <source>Speed plan</source>
+        <translation>Plano de velocidades</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s plan beside the section: peripheral velocities over the radius, a line for each link</source>
+        <translation>El plano de Kutzbach junto a la sección: velocidades periféricas sobre el radio, una línea por eslabón</translation>
+    </message>
+    <message>
+        <source>Click the point to lock link %1 with. Esc ends</source>
+        <translation>Haga clic en el punto que se une al eslabón %1. Esc termina</translation>
+    </message>
+    <message>
+        <source>Each line is a link: its slope is the speed, lines cross at the teeth</source>
+        <translation>Cada línea es un eslabón: su pendiente es la velocidad; las líneas se cruzan en los dientes</translation>
+    </message>
+    <message>
+        <source>Lock with…</source>
+        <translation>Unir con…</translation>
+    </message>
+    <message>
+        <source>A clutch to the link that you click next</source>
+        <translation>Un embrague al eslabón en que haga clic después</translation>
+    </message>
+    <message>
+        <source>Let go (B)</source>
+        <translation>Soltar (B)</translation>
+    </message>
+    <message>
+        <source>Hold (B)</source>
+        <translation>Retener (B)</translation>
+    </message>
+    <message>
+        <source>Release the brake of this link</source>
+        <translation>Liberar el freno de este eslabón</translation>
+    </message>
+    <message>
+        <source>Engage the brake of this link, a new one where it has none</source>
+        <translation>Activar el freno de este eslabón, uno nuevo si no tiene</translation>
     </message>
 </context>
 <context>

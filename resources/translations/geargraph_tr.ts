@@ -13146,10 +13146,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Sağlanmayan ilk koşul: %1.</translation>
     </message>
     <message>
-        <source>A view is digraph, tt-graph or schematic.</source>
-        <translation>Görünüm digraph, tt-graph veya schematic olur.</translation>
-    </message>
-    <message>
         <source>An id consists of small letters, digits and hyphens, such as &quot;cycle-basis&quot;.</source>
         <translation>Kimlik küçük harf, rakam ve tirelerden oluşur, örneğin &quot;cycle-basis&quot;.</translation>
     </message>
@@ -17919,6 +17915,132 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
         <translation>Yok: sınırlar içinde bu oranlara sahip tam diş sayısı yok. 1 ile 3 arası bir pay veya daha geniş sınırlar yardımcı olabilir.</translation>
+        <source>ratio %1 (%2)</source>
+        <translation>oran %1 (%2)</translation>
+    </message>
+    <message>
+        <source>No choice within the limits has %1.</source>
+        <translation>Sınırlar içinde hiçbir seçimde %1 yok.</translation>
+    </message>
+    <message>
+        <source>No choice within the limits has both %1 and %2.</source>
+        <translation>Sınırlar içinde hiçbir seçimde %1 ile %2 birlikte yok.</translation>
+    </message>
+    <message>
+        <source>Levers. Points: links of a gear set at exact distances; arrows: their speeds.</source>
+        <translation>Kaldıraçlar. Noktalar: bir dişli setinin uzuvları, tam aralıklarla; oklar: hızları.</translation>
+    </message>
+    <message>
+        <source>Nomogram. A line for each state through the speeds of the links, the drive being 1.</source>
+        <translation>Nomogram. Her durum için uzuvların hızlarından geçen bir çizgi; tahrik 1’dir.</translation>
+    </message>
+    <message>
+        <source>%1 is engaged: the plane projected along its line</source>
+        <translation>%1 devrede: düzlem onun çizgisi boyunca izdüşürüldü</translation>
+    </message>
+    <message>
+        <source>peripheral velocity in %1/s</source>
+        <translation>çevresel hız, %1/s</translation>
+    </message>
+    <message>
+        <source>A line for each link; its slope is the speed in rad/s. Filled points: teeth; others: carried axes.</source>
+        <translation>Her uzuv için bir çizgi; eğimi rad/s cinsinden hızıdır. Dolu noktalar: dişler; diğerleri: taşınan eksenler.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 joins axes that are not in one plane with that of their carrier: its lines do not meet.</source>
+        <translation>%1 çifti, taşıyıcısının ekseniyle aynı düzlemde olmayan eksenleri bağlar: çizgileri kesişmez.</translation>
+    </message>
+    <message>
+        <source>Meshes %1 join axes that are not in one plane with that of their carrier: their lines do not meet.</source>
+        <translation>%1 çiftleri, taşıyıcılarının ekseniyle aynı düzlemde olmayan eksenleri bağlar: çizgileri kesişmez.</translation>
+    </message>
+    <message>
+        <source>The section is unrolled in another way: not all teeth are at the heights of the plan.</source>
+        <translation>Kesit başka biçimde açılmıştır: dişlerin hepsi plandaki yükseklikte değildir.</translation>
+    </message>
+    <message>
+        <source>No speed plan: the train is not finished, see Problems.</source>
+        <translation>Hız planı yok: takım bitmemiş, bkz. Sorunlar.</translation>
+    </message>
+    <message>
+        <source>No speed plan: the speeds are not determined, see Problems.</source>
+        <translation>Hız planı yok: hızlar belirli değil, bkz. Sorunlar.</translation>
+    </message>
+    <message>
+        <source>No speed plan: it needs axes that are all parallel.</source>
+        <translation>Hız planı yok: bütün eksenlerin paralel olması gerekir.</translation>
+    </message>
+    <message>
+        <source>Each gear set is a lever: its links on the ground&apos;s axis are points with exact places, 0 at one end and 1 at the other. In every motion the speed of a link is an affine function of its place, $\omega(x) = \omega(0) + x\,(\omega(1) - \omega(0))$.</source>
+        <translation>Her dişli seti bir kaldıraçtır: sabit uzvun eksenindeki uzuvları, bir uçta 0, öbür uçta 1 olan tam yerlerdeki noktalardır. Her harekette bir uzvun hızı, yerinin afin bir fonksiyonudur: $\omega(x) = \omega(0) + x\,(\omega(1) - \omega(0))$.</translation>
+    </message>
+    <message>
+        <source>Nomogram of the states, the speed of the drive being 1</source>
+        <translation>Durumların nomogramı; tahrikin hızı 1’dir</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Yer</translation>
+    </message>
+    <message>
+        <source>Speed in rad/s</source>
+        <translation>Hız, rad/s</translation>
+    </message>
+    <message>
+        <source>Lever of %1, %2 teeth:</source>
+        <translation>%1 için kaldıraç, %2 diş:</translation>
+    </message>
+    <message>
+        <source>These links are on one lever by these tooth counts only.</source>
+        <translation>Bu uzuvlar yalnızca bu diş sayılarıyla bir kaldıraç üzerindedir.</translation>
+    </message>
+    <message>
+        <source>A view is digraph, tt-graph, schematic, levers or nomogram.</source>
+        <translation>Bir görünüm digraph, tt-graph, schematic, levers veya nomogram olur.</translation>
+    </message>
+    <message>
+        <source>Link &quot;%1&quot; is on no lever.</source>
+        <translation>“%1” uzvu hiçbir kaldıraçta değil.</translation>
+    </message>
+    <message>
+        <source>Speed plan</source>
+        <translation>Hız planı</translation>
+    </message>
+    <message>
+        <source>Kutzbach&apos;s plan beside the section: peripheral velocities over the radius, a line for each link</source>
+        <translation>Kesitin yanında Kutzbach planı: yarıçapa göre çevresel hızlar, her uzuv için bir çizgi</translation>
+    </message>
+    <message>
+        <source>Click the point to lock link %1 with. Esc ends</source>
+        <translation>%1 uzvunun kilitleneceği noktayı tıklayın. Esc bitirir</translation>
+    </message>
+    <message>
+        <source>Each line is a link: its slope is the speed, lines cross at the teeth</source>
+        <translation>Her çizgi bir uzuvdur: eğimi hızıdır, çizgiler dişlerde kesişir</translation>
+    </message>
+    <message>
+        <source>Lock with…</source>
+        <translation>Kilitle…</translation>
+    </message>
+    <message>
+        <source>A clutch to the link that you click next</source>
+        <translation>Sonra tıkladığınız uzva bir kavrama</translation>
+    </message>
+    <message>
+        <source>Let go (B)</source>
+        <translation>Bırak (B)</translation>
+    </message>
+    <message>
+        <source>Hold (B)</source>
+        <translation>Tut (B)</translation>
+    </message>
+    <message>
+        <source>Release the brake of this link</source>
+        <translation>Bu uzvun frenini bırak</translation>
+    </message>
+    <message>
+        <source>Engage the brake of this link, a new one where it has none</source>
+        <translation>Bu uzvun frenini devreye al, yoksa yenisini ekle</translation>
     </message>
 </context>
 <context>

@@ -357,6 +357,35 @@ test('on a phone, either way up, nothing is wider than the page and the train le
   }
 });
 
+test('speeds on the levers follow the inputs, a line of the nomogram puts its state in', async () => {
+  const each = await open('simpson');
+  const {page} = each;
+  const choose = text => page.evaluate(name => [...document.querySelectorAll('.choice button')].find(button => button.textContent.startsWith(name)).click(), text);
+  const values = () => page.$$eval('.lever-speeds text', all => all.map(text => text.textContent));
+  await choose('Levers');
+  const before = await values();
+  assert.equal(before.length, 4, 'a bar of four points');
+  // The tips of the arrows are on the line through those of both ends.
+  const off = await page.evaluate(() => {
+    const points = document.querySelector('.speed-line').getAttribute('points').split(' ').map(each => each.split(',').map(Number));
+    const [[x0, y0], [x1, y1]] = [points[0], points.at(-1)];
+    return Math.max(...points.map(([x, y]) => Math.abs((x - x0) * (y1 - y0) - (x1 - x0) * (y - y0)) / Math.hypot(x1 - x0, y1 - y0)));
+  });
+  assert.ok(off < 1e-6, `${off} beside the line`);
+  await page.$eval('#inputs input[type=text]', field => {
+    field.value = '2';
+    field.dispatchEvent(new Event('input', {bubbles: true}));
+  });
+  assert.notDeepEqual(await values(), before);
+  await choose('Nomogram');
+  const second = await page.$$eval('.state-line', lines => lines.findIndex(line => line.textContent === '2'));
+  await page.evaluate(at => document.querySelectorAll('.state-line')[at].dispatchEvent(new MouseEvent('click', {bubbles: true})), second);
+  assert.equal(await page.$$eval('.state-line.in', lines => lines.map(line => line.textContent).join()), '2');
+  assert.equal(await page.$eval('tr[data-state].in th', head => head.textContent), '2');
+  assert.ok((await values()).includes(''), 'what a brake holds has no number');
+  await left(each);
+});
+
 test('on a phone each part is a page of its own', async () => {
   const each = await open('robot', {size: PHONE});
   const {page} = each;

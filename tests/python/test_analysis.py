@@ -110,7 +110,7 @@ def test_statics_in_a_state():
         m.analyze().statics(state="9")
 
 
-@pytest.mark.parametrize("name", ["schematic", "digraph", "ttgraph", "levers", "nomogram", "plan"])
+@pytest.mark.parametrize("name", ["schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach"])
 def test_drawings(robot, name, tmp_path):
     drawing = robot.analyze().drawing(name)
     root = ElementTree.fromstring(drawing.svg)

@@ -65,7 +65,7 @@ class LessonPanel : public QWidget, public ResultsView {
   void courseWanted();
   void nextLessonWanted();
   /// A step is shown: bring this drawing to the front.
-  void stepBegan(geargraph::LessonView view);
+  void stepBegan(geargraph::StepView view);
   /// Emitted with whether views that reveal the answer may be shown.
   void answerOpened(bool isOpen);
 

@@ -39,6 +39,8 @@ LeversBar::LeversBar(QWidget* parent)
       tr("The states of the gearbox as lines across the speeds of its links"));
   add(LeversPage::plan, "planPage", tr("Plan"),
       tr("The plane of the links that is left when the coupling engaged last is let go"));
+  add(LeversPage::speedPlan, "speedPlanPage", tr("Speed plan"),
+      tr("Kutzbach's plan beside the section: peripheral velocities over the radius, a line for each link"));
   row->addStretch();
   auto* boxes = new QHBoxLayout(m_arrows);
   boxes->setContentsMargins(0, 0, 0, 0);

@@ -9,7 +9,7 @@ class QCheckBox;
 
 namespace geargraph::inline ui_levers {
 
-/// The row above the drawing: which of the three is shown, and which arrows.
+/// The row above the drawing: which drawing is shown, and which arrows.
 class LeversBar final : public QWidget {
   Q_OBJECT
 

@@ -6,6 +6,7 @@
 
 #include "core/foundations/base/spoken.h"
 #include "core/mechanism/model/quantity.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/lever_drawing/lever_card.h"
 #include "core/presentation/lever_drawing/lever_marks.h"
 #include "core/theory/states/state_edits.h"
@@ -14,6 +15,7 @@
 #include "ui/levers/levers_bar.h"
 #include "ui/levers/levers_tips.h"
 #include "ui/levers/levers_view.h"
+#include "ui/levers/point_offers.h"
 
 namespace geargraph::inline ui_levers {
 
@@ -35,6 +37,18 @@ int LeversView::discAt(SheetPoint place) const {
     if (disc.contains(place)) return static_cast<int>(i);
   }
   return -1;
+}
+
+std::optional<LeversView::Disc> LeversView::anyDiscAt(SheetPoint place) const {
+  if (const int at = discAt(place); at >= 0) {
+    const LeverSpot& spot = m_levers.spots[static_cast<std::size_t>(at)];
+    return Disc{pointOf(spot).links.front(), spot.center, at};
+  }
+  for (const PointPlanSheet::Spot& spot : m_points.spots) {
+    const Extent disc{spot.center, LeverPainter::halfWidthOf(spot.links), kDiscRadius};
+    if (disc.contains(place)) return Disc{spot.links.front(), spot.center};
+  }
+  return std::nullopt;
 }
 
 int LeversView::arrowAt(SheetPoint place) const {
@@ -73,20 +87,21 @@ std::optional<int> LeversView::stateAt(SheetPoint place) const {
 
 void LeversView::pressed(const Pointer& pointer) {
   m_pressedState.reset();
+  hideOffers();
+  if (m_tie && m_tie->isOffered) return endTie(pointer);
   if (tool() == ToolKind::input) {
     const bool can = pointer.on && pointer.on->kind == ElementKind::link;
     const QString why = can ? commands().toggleInputs({*pointer.on}) : QString();
     if (!why.isEmpty()) setHint(why);
     return;
   }
-  if (tool() != ToolKind::select) return DrawingView::pressed(pointer);
+  if (tool() != ToolKind::select || !m_isOpen) return DrawingView::pressed(pointer);
   if (!pointer.on) m_pressedState = stateAt(pointer.at);
   if (m_pressedState || grabTip(pointer)) return;
   DrawingView::pressed(pointer);
-  if (const int disc = discAt(pointer.at); disc >= 0 && !pointer.add) {
-    const LeverSpot& spot = m_levers.spots[static_cast<std::size_t>(disc)];
-    m_walked = disc;
-    m_tie = Tie{pointOf(spot).links.front(), spot.center, pointer.at};
+  if (const auto disc = anyDiscAt(pointer.at); disc && !pointer.add) {
+    m_walked = disc->spot;
+    m_tie = Tie{disc->link, disc->center, pointer.at};
   }
   showOverlay();
 }
@@ -107,11 +122,11 @@ void LeversView::moved(const Pointer& pointer) {
 
 void LeversView::released(const Pointer& pointer) {
   if (m_pull) return endPull();
+  if (m_tie && m_tie->isOffered) return;  // the click on the offer itself
   if (m_tie) {
-    const Tie tied = *std::exchange(m_tie, std::nullopt);
-    showOverlay();
-    const int disc = tied.hasMoved ? discAt(pointer.at) : -1;
-    if (disc >= 0) tie(tied.from, pointOf(m_levers.spots[static_cast<std::size_t>(disc)]).links.front());
+    if (m_tie->hasMoved) return endTie(pointer);
+    m_tie.reset();
+    if (const auto disc = anyDiscAt(pointer.at)) offer(*disc);
     return;
   }
   const auto state = std::exchange(m_pressedState, std::nullopt);
@@ -125,17 +140,57 @@ void LeversView::leaveEvent(QEvent* event) {
 
 bool LeversView::cancel() {
   m_pressedState.reset();
+  const bool offered = m_offered.has_value();
+  hideOffers();
   if (m_tie) {
     m_tie.reset();
     showOverlay();
+    tellWhatToDo();
     return true;
   }
+  if (offered) return true;
   if (!m_pull) return false;
   if (m_pull->hasMoved)
     document().apply({tr("Set speed"), [before = m_pull->before](const PlacedMechanism&) { return before; },
                       m_pull->gesture});
   endPull();
   return true;
+}
+
+void LeversView::endTie(const Pointer& pointer) {
+  const Tie tied = *std::exchange(m_tie, std::nullopt);
+  showOverlay();
+  tellWhatToDo();
+  if (const auto disc = anyDiscAt(pointer.at)) tie(tied.from, disc->link);
+}
+
+/// What can be done with the point, in a bar below its disc.
+void LeversView::offer(const Disc& disc) {
+  const LinkId link = drawnMechanism().links[disc.link].id;
+  const bool isHeld =
+      std::any_of(mechanism().couplings.begin(), mechanism().couplings.end(), [&](const Coupling& each) {
+        return each.kind == CouplingKind::brake && each.links.front() == link &&
+               isEngaged(mechanism(), each.id);
+      });
+  m_offered = disc;
+  const QPoint center = mapFromScene(QPointF(disc.center.x, disc.center.y));
+  const int reach = static_cast<int>(std::ceil(kDiscRadius * scaleNow()));
+  m_offers->showAt(center.x(), center.y() - reach, center.y() + reach, disc.link != 0, isHeld);
+}
+
+void LeversView::hideOffers() {
+  m_offered.reset();
+  m_offers->hide();
+}
+
+/// The next click on a point locks both together.
+void LeversView::startTie() {
+  if (!m_offered) return;
+  const Disc disc = *m_offered;
+  hideOffers();
+  m_tie = Tie{disc.link, disc.center, disc.center, true, true};
+  setHint(tr("Click the point to lock link %1 with. Esc ends")
+              .arg(QString::fromStdString(std::to_string(drawnMechanism().linkLabel(disc.link)))));
 }
 
 /// Two links get a clutch, or the one that they have is engaged; with the ground it is a brake.
@@ -204,12 +259,13 @@ void LeversView::endPull() {
 }
 
 void LeversView::openElement(const ElementId& element) {
+  hideOffers();
   if (element.kind == ElementKind::coupling && shows(LeversPage::levers)) {
     const CouplingId coupling(element.id);
     const auto& engaged = mechanism().engaged;
     return commands().engage(coupling, std::find(engaged.begin(), engaged.end(), coupling) == engaged.end());
   }
-  const int at = element.kind == ElementKind::link ? current() : -1;
+  const int at = element.kind == ElementKind::link && m_isOpen ? current() : -1;
   if (at < 0) return DrawingView::openElement(element);
   typeSpeed(m_levers.spots[static_cast<std::size_t>(at)]);
 }
@@ -254,8 +310,15 @@ void LeversView::lookAt(std::optional<int> state) {
   if (state == m_state) return;
   m_state = state;
   showOverlay();
+  emit stateLookedAtChanged(state.value_or(-1));
   if (state && shows(LeversPage::nomogram)) return setHint(stateTip(*m_drawn, drawnMechanism(), *state));
   tellWhatToDo();
+}
+
+void LeversView::lookAtState(int state) {
+  const bool isThere = state >= 0 && static_cast<std::size_t>(state) < mechanism().states.size();
+  if (!shows(LeversPage::nomogram) || !m_isOpen) return;
+  lookAt(isThere ? std::optional(state) : std::nullopt);
 }
 
 void LeversView::engageState(int state) {
@@ -339,7 +402,7 @@ void LeversView::nudge(double dx, double dy, bool /*repeated*/) {
 
 void LeversView::keyPressEvent(QKeyEvent* event) {
   const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isReturn && m_state && shows(LeversPage::nomogram)) return engageState(*m_state);
+  if (isReturn && m_isOpen && m_state && shows(LeversPage::nomogram)) return engageState(*m_state);
   DrawingView::keyPressEvent(event);
 }
 

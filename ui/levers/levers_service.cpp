@@ -61,6 +61,14 @@ bool drawPage(DrawnLevers& drawn, const std::stop_token& stop) {
       if (points) drawn.points = *std::move(points);
       return points.has_value();
     }
+    case LeversPage::speedPlan: {
+      auto plan = speedPlanFor(snapshot, stop);
+      if (!plan) return false;
+      drawn.speedPlan = *std::move(plan);
+      if (drawn.speedPlan.absence == SpeedPlanAbsence::none)
+        drawn.section = schematicGeometry(*snapshot.geometry, stop);
+      return !stop.stop_requested();
+    }
   }
   return false;
 }

@@ -7,12 +7,13 @@
 
 #include "core/presentation/lever_drawing/lever_layout.h"
 #include "core/presentation/results/levers_json.h"
+#include "core/presentation/schematic/schematic.h"
 #include "ui/service/service.h"
 
 namespace geargraph::inline ui_levers {
 
-/// The three drawings of the tab.
-enum class LeversPage { levers, nomogram, plan };
+/// The drawings of the tab.
+enum class LeversPage { levers, nomogram, plan, speedPlan };
 
 struct LeversRequest {
   SnapshotPtr snapshot;
@@ -36,6 +37,9 @@ struct DrawnLevers {
 
   StatesOnLevers states;
   LeverPlan points;
+
+  SpeedPlan speedPlan;
+  SchematicGeometry section;  ///< empty where there is no speed plan
 };
 using DrawnLeversPtr = std::shared_ptr<const DrawnLevers>;
 

@@ -2,13 +2,16 @@
 
 #include <QHelpEvent>
 #include <QResizeEvent>
+#include <QScrollBar>
 #include <QToolTip>
+#include <QVariantAnimation>
 
 #include "core/presentation/lever_drawing/lever_words.h"
-#include "core/presentation/lever_drawing/point_plan.h"
+#include "core/presentation/lever_drawing/speed_plan_drawing.h"
 #include "ui/canvas/context_menu.h"
 #include "ui/levers/levers_bar.h"
 #include "ui/levers/levers_tips.h"
+#include "ui/levers/point_offers.h"
 #include "ui/views/views.h"
 
 namespace geargraph::inline ui_levers {
@@ -17,13 +20,23 @@ LeversView::LeversView(Document* document, Selection* selection, QWidget* parent
     : DrawingView(document, selection, new DrawingScene, parent),
       m_service(new LeversService(this)),
       m_sheet(static_cast<DrawingScene*>(scene())),
-      m_bar(new LeversBar(this)) {
+      m_bar(new LeversBar(this)),
+      m_offers(new PointOffers(viewport())) {
   setAccessibleName(tr("Levers"));
   connect(m_bar, &LeversBar::pageChosen, this, &LeversView::choosePage);
   connect(m_bar, &LeversBar::arrowsChosen, this, [this] {
     redraw();
     fit();
   });
+  connect(m_offers, &PointOffers::holdWanted, this, [this] {
+    if (!m_offered) return;
+    const LinkId link = drawnMechanism().links[m_offered->link].id;
+    hideOffers();
+    if (mechanism().find(link) != nullptr) commands().toggleBrake(link);
+  });
+  connect(m_offers, &PointOffers::lockWanted, this, &LeversView::startTie);
+  for (QScrollBar* bar : {horizontalScrollBar(), verticalScrollBar()})
+    connect(bar, &QScrollBar::valueChanged, this, &LeversView::hideOffers);
   m_service->onAnswer(this, [this](const DrawnLeversPtr& drawn) { receive(drawn); });
   layOutBar();
   tellWhatToDo();
@@ -38,11 +51,13 @@ void LeversView::setPage(LeversPage page) {
 }
 
 bool LeversView::shows(LeversPage page) const {
-  return m_drawn && m_isOpen && m_drawn->page == page;
+  return m_drawn && (m_isOpen || m_isRead) && m_drawn->page == page;
 }
 
 void LeversView::choosePage() {
   cancel();
+  hideOffers();
+  delete std::exchange(m_projecting, nullptr);
   m_fitNext = true;
   m_state.reset();
   m_walked = -1;
@@ -68,6 +83,11 @@ void LeversView::setSnapshot(const SnapshotPtr& snapshot) {
 
 void LeversView::setAnswersOpen(bool isOpen) {
   m_isOpen = isOpen;
+  redraw();
+}
+
+void LeversView::setRead(bool isRead) {
+  m_isRead = isRead;
   redraw();
 }
 
@@ -104,7 +124,9 @@ void LeversView::forgetDocument() {
 
 void LeversView::receive(const DrawnLeversPtr& drawn) {
   if (!snapshot()) return;  // of the document before
-  m_drawn = drawn;
+  hideOffers();
+  const DrawnLeversPtr before = std::exchange(m_drawn, drawn);
+  project(before);
   redraw();
   if (!m_pull && !m_tie && (m_fitNext || isFitted())) fit();  // else the sheet would move under the mouse
   m_fitNext = false;
@@ -115,9 +137,10 @@ void LeversView::receive(const DrawnLeversPtr& drawn) {
 void LeversView::redraw() {
   m_levers = {};
   m_nomogram = {};
+  m_points = {};
   DrawingScene::Draw draw = [](const Emphases&) { return DisplayList{}; };
   if (shows(LeversPage::levers)) {
-    const LeverLook look{m_bar->showsSpeeds(), m_bar->showsTorques(),
+    const LeverLook look{m_bar->showsSpeeds(), m_bar->showsTorques(), m_isOpen,
                          m_pull ? std::optional(m_pull->scale) : std::nullopt};
     const auto sheet = [drawn = m_drawn, look](const Emphases& emphases) {
       return leverSheet(*drawn->snapshot->mechanism, drawn->picture, drawn->layout, emphases, look);
@@ -126,18 +149,29 @@ void LeversView::redraw() {
     if (missing().isEmpty()) draw = [sheet](const Emphases& emphases) { return sheet(emphases).drawing; };
   } else if (shows(LeversPage::nomogram)) {
     static const Placement kNowhere{};
-    const auto sheet = [drawn = m_drawn](const Emphases& emphases) {
+    const auto sheet = [drawn = m_drawn, isOpen = m_isOpen](const Emphases& emphases) {
       const StatesOnLevers& states = drawn->states;
       const LiveKinematics* const kinematics = drawn->snapshot->kinematics.get();
       return nomogramSheet(*drawn->snapshot->mechanism, states.plan,
                            states.plan.mainAxis < 0 ? kNowhere : kinematics->placement(), states.states,
-                           states.current, emphases);
+                           isOpen ? states.current : std::nullopt, emphases);
     };
     m_nomogram = sheet({});
     if (missing().isEmpty()) draw = [sheet](const Emphases& emphases) { return sheet(emphases).drawing; };
-  } else if (shows(LeversPage::plan) && missing().isEmpty()) {
+  } else if (shows(LeversPage::plan)) {
+    std::optional<PlanProjection> projection;
+    if (const auto coupling = projectingCoupling(drawnMechanism(), m_drawn->points))
+      projection = PlanProjection{*coupling, m_projecting ? m_projecting->currentValue().toDouble() : 1};
+    const auto sheet = [drawn = m_drawn, projection](const Emphases& emphases) {
+      return pointPlanSheet(*drawn->snapshot->mechanism, drawn->points, projection, emphases);
+    };
+    m_points = sheet({});
+    if (missing().isEmpty()) draw = [sheet](const Emphases& emphases) { return sheet(emphases).drawing; };
+  } else if (shows(LeversPage::speedPlan) && missing().isEmpty()) {
     draw = [drawn = m_drawn](const Emphases& emphases) {
-      return pointPlanDrawing(*drawn->snapshot->mechanism, drawn->points, emphases);
+      const AnalysisSnapshot& snapshot = *drawn->snapshot;
+      return speedPlanDrawing(*snapshot.mechanism, snapshot.kinematics->placement(), drawn->speedPlan,
+                              drawn->section, emphases);
     };
   }
   if (m_walked >= static_cast<int>(m_levers.spots.size())) m_walked = -1;
@@ -148,7 +182,8 @@ void LeversView::redraw() {
 }
 
 QString LeversView::missing() const {
-  if (!m_isOpen) return tr("The levers hold the answer: they are shown when the step is right or shown.");
+  if (!m_isOpen && !m_isRead)
+    return tr("The levers hold the answer: they are shown when the step is right or shown.");
   if (!m_drawn) return {};
   const Mechanism& mechanism = drawnMechanism();
   switch (m_drawn->page) {
@@ -158,6 +193,8 @@ QString LeversView::missing() const {
       return QString::fromStdString(m_nomogram.missing);
     case LeversPage::plan:
       return QString::fromStdString(whyNoPointPlan(mechanism, m_drawn->points));
+    case LeversPage::speedPlan:
+      return QString::fromStdString(whyNoSpeedPlan(m_drawn->speedPlan));
   }
   return {};
 }
@@ -168,6 +205,31 @@ QString LeversView::message() const {
 
 QString LeversView::whyNoPicture() const {
   return isUpToDate() ? missing() : tr("The levers are still being laid out. Try again in a moment.");
+}
+
+/// Lets the points move to the line that they are projected onto, where a coupling was just engaged.
+void LeversView::project(const DrawnLeversPtr& before) {
+  delete std::exchange(m_projecting, nullptr);
+  constexpr double kSlowing = 1.6;  // as long as other animations of the style, and a little more
+  const int duration =
+      static_cast<int>(kSlowing * style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this));
+  const bool isNew = before && shows(LeversPage::plan) && before->page == LeversPage::plan &&
+                     before->snapshot->mechanism->engaged != drawnMechanism().engaged &&
+                     projectingCoupling(drawnMechanism(), m_drawn->points).has_value();
+  if (!isNew || duration <= 0 || !isVisible()) return;
+  m_projecting = new QVariantAnimation(this);
+  m_projecting->setStartValue(0.0);
+  m_projecting->setEndValue(1.0);
+  m_projecting->setDuration(duration);
+  m_projecting->setEasingCurve(QEasingCurve::InOutCubic);
+  connect(m_projecting, &QVariantAnimation::valueChanged, this, &LeversView::redraw);
+  connect(m_projecting, &QVariantAnimation::finished, this, [this] {
+    std::exchange(m_projecting, nullptr)->deleteLater();
+    redraw();
+    if (isFitted()) fit();
+    emit drawn();
+  });
+  m_projecting->start();
 }
 
 /// The ring around the point of the keys, the state that is looked at, the tie that is drawn.
@@ -204,6 +266,8 @@ void LeversView::tellWhatToDo() {
       return setHint(tr("Click a line or its tag to engage the state"));
     case LeversPage::plan:
       return setHint(tr("Engaging a coupling draws the plane together along its dotted line"));
+    case LeversPage::speedPlan:
+      return setHint(tr("Each line is a link: its slope is the speed, lines cross at the teeth"));
   }
 }
 
@@ -232,13 +296,13 @@ QString LeversView::cardOf(const LeverSpot& spot) const {
 
 QString LeversView::toolTipFor(const ElementId& element) const {
   const QString plain = DrawingView::toolTipFor(element);
-  if (element.kind != ElementKind::link || !shows(LeversPage::levers)) return plain;
+  if (element.kind != ElementKind::link || !m_isOpen || !shows(LeversPage::levers)) return plain;
   const QString points = pointsOfLink(*m_drawn, drawnMechanism(), LinkId(element.id));
   return points.isEmpty() ? plain : plain + QLatin1Char('\n') + points;
 }
 
 bool LeversView::viewportEvent(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return DrawingView::viewportEvent(event);
+  if (event->type() != QEvent::ToolTip || !m_isOpen) return DrawingView::viewportEvent(event);
   auto* help = static_cast<QHelpEvent*>(event);
   const QPointF scenePlace = mapToScene(help->pos());
   const SheetPoint place{scenePlace.x(), scenePlace.y()};

@@ -5,10 +5,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
-#include "core/presentation/report/report.h"
 #include "core/presentation/results/handout_train.h"
+#include "core/presentation/results/report_lists.h"
 #include "core/presentation/results/scorm_package.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/derivation/derivation_panel.h"
@@ -25,11 +24,6 @@ ReportForm formOf(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
   if (suffix == QLatin1String("tex")) return ReportForm::latex;
   return suffix == QLatin1String("md") ? ReportForm::markdown : ReportForm::html;
-}
-
-ReportDrawings drawingsOf(const ReportLists& lists) {
-  const SheetStyle style;
-  return {svgOf(lists.schematic, style), svgOf(lists.digraph, style), svgOf(lists.ttGraph, style)};
 }
 
 /// A sheet about the document as it is shown, the same for everyone; without kinds a question of every kind
@@ -63,7 +57,8 @@ void WindowExports::chooseAndExportDerivation() {
   exportDerivation(path);
 }
 
-/// The drawings as the window shows them; what keeps them from being exported is told by rejected().
+/// The drawings that the window arranges, as it shows them; what keeps them from being exported is told by
+/// rejected().
 std::optional<ReportLists> WindowExports::shownLists() {
   if (!m_workbench.analysis().isComplete()) {
     emit rejected(tr("The solution is still being worked out. Try again in a moment."));
@@ -71,10 +66,10 @@ std::optional<ReportLists> WindowExports::shownLists() {
   }
   ReportLists lists;
   for (DrawingView* each : m_views.drawings) {
-    if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
-    if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
-    if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
-    if (each->objectName() == QLatin1String("levers")) continue;  // no part of it
+    if (each->objectName() == QLatin1String("levers")) continue;  // drawn for the export, whatever it shows
+    for (const ReportDrawing drawing : kArrangedDrawings) {
+      if (each->objectName() == QLatin1String(reportDrawingName(drawing))) lists[drawing] = each->picture();
+    }
     const QString why = each->whyNoPicture();
     if (why.isEmpty()) continue;
     emit rejected(why);
@@ -86,17 +81,16 @@ std::optional<ReportLists> WindowExports::shownLists() {
 void WindowExports::exportDerivation(const QString& path) {
   const std::optional<ReportLists> shown = shownLists();
   if (!shown) return;
-  const ReportLists& lists = *shown;
   const SnapshotPtr snapshot = m_workbench.analysis().snapshot();
-  const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
+  const auto run = [=, arranged = *shown](const ExportJobs::Progress&, const std::stop_token& stop) {
     Report report = derivationReport(snapshot, stop);
+    const ReportLists lists = withLevers(arranged, *snapshot, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     if (QFileInfo(path).suffix().toLower() == QLatin1String("pdf")) {
-      const Expected<std::string> pages =
-          reportPdf(std::move(report), {lists.schematic, lists.digraph, lists.ttGraph});
+      const Expected<std::string> pages = reportPdf(std::move(report), lists);
       return pages ? writingError(path, *pages) : QString::fromStdString(pages.error().front().message);
     }
-    return writingError(path, reportText(report, formOf(path), [&] { return drawingsOf(lists); }));
+    return writingError(path, reportText(report, formOf(path), [&] { return lists; }));
   };
   m_jobs->add({path, false, run});
 }
@@ -159,7 +153,7 @@ void WindowExports::writeHandout(const QString& path, const std::optional<SheetP
     }
     const HandoutUse use = isPackage(path) ? HandoutUse::learningPlatform : HandoutUse::alone;
     const Expected<std::string> page =
-        handoutHtml(snapshot, drawingsOf(lists), made.train, use, exercises, stop);
+        handoutHtml(snapshot, svgDrawings(lists), made.train, use, exercises, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     if (!page) return QString::fromStdString(page.error().front().message);
     return writingError(path, isPackage(path) ? scormPackage(reportTitle(*mechanism), *page) : *page);

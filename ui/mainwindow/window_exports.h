@@ -9,6 +9,7 @@
 
 #include "core/foundations/files/csv.h"
 #include "core/mechanism/graph/integer_matrix.h"
+#include "core/presentation/report/report.h"
 #include "core/presentation/sheet_files/sheet_files.h"
 #include "core/teaching/derivation/quantity_table.h"
 
@@ -22,9 +23,6 @@ namespace geargraph::inline exporters {
 struct Exporter;
 struct OptionValues;
 }  // namespace geargraph::inline exporters
-namespace geargraph::inline pages {
-struct ReportLists;
-}  // namespace geargraph::inline pages
 namespace geargraph::inline printing {
 class PrintedPages;
 using PrintedPagesPtr = std::shared_ptr<const PrintedPages>;

@@ -14,6 +14,7 @@
 #include "ui/exercises/exercises_dialog.h"
 #include "ui/lessons/course_dialog.h"
 #include "ui/lessons/lesson_panel.h"
+#include "ui/levers/levers_view.h"
 #include "ui/mainwindow/file_watch.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
@@ -154,8 +155,12 @@ void MainWindow::makeLesson() {
           [this] { m_lesson->isPractice() ? showExercises() : showCourse(); });
   connect(m_lesson, &LessonPanel::nextLessonWanted, this, &MainWindow::playNextLesson);
   connect(m_lesson, &LessonPanel::answerOpened, this, &MainWindow::setAnswersOpen);
-  connect(m_lesson, &LessonPanel::stepBegan, this, [this](LessonView view) {
-    constexpr std::array<const char*, 3> kNames = {"digraph", "ttgraph", "schematic"};
+  connect(m_lesson, &LessonPanel::stepBegan, this, [this](StepView view) {
+    constexpr std::array<const char*, 5> kNames = {"digraph", "ttgraph", "schematic", "levers", "levers"};
+    const bool readsLevers = view == StepView::levers || view == StepView::nomogram;
+    auto& levers = m_views->get<LeversView>();
+    levers.setRead(readsLevers);
+    if (readsLevers) levers.setPage(view == StepView::levers ? LeversPage::levers : LeversPage::nomogram);
     showDrawing(QLatin1String(kNames[static_cast<std::size_t>(view)]));
     const auto& steps = m_lesson->lesson()->steps;
     const bool draws =

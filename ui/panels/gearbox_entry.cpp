@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QStackedWidget>
 
+#include "ui/levers/levers_view.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/views/views.h"
 #include "ui/workbench/workbench.h"
@@ -34,6 +35,9 @@ ViewEntry gearboxView() {
               panel->setTorques(std::shared_ptr<const ForceTable>(forces, torques),
                                 forces ? forces->snapshot->mechanism : nullptr);
             });
+            auto& levers = views.get<LeversView>();
+            QObject::connect(panel, &GearboxPanel::stateHovered, &levers, &LeversView::lookAtState);
+            QObject::connect(&levers, &LeversView::stateLookedAtChanged, panel, &GearboxPanel::showLookedAt);
             return panel;
           }};
 }

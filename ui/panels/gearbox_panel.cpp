@@ -118,7 +118,12 @@ void GearboxPanel::wireTable() {
   m_table->setTabKeyNavigation(false);
   connect(m_table, &StatesTable::clicked, this, &GearboxPanel::onClick);
   connect(m_table, &StatesTable::entered, this, &GearboxPanel::hoverCell);
-  connect(m_table, &StatesTable::left, this, [this] { m_selection->unhover(); });
+  connect(m_table, &StatesTable::entered, this,
+          [this](const QModelIndex& index) { emit stateHovered(index.row()); });
+  connect(m_table, &StatesTable::left, this, [this] {
+    m_selection->unhover();
+    emit stateHovered(-1);
+  });
   connect(m_table, &StatesTable::customContextMenuRequested, this, &GearboxPanel::rowMenu);
   connect(m_model, &StatesModel::renamed, this, [this](int row, const QString& name) {
     apply(tr("Rename state"), [row, name = name.toStdString()](const Mechanism& before) {
@@ -451,6 +456,10 @@ void GearboxPanel::headMenu(const QPoint& at) {
                    });
                  });
   menu.exec(m_table->heads().mapToGlobal(at));
+}
+
+void GearboxPanel::showLookedAt(int state) {
+  m_table->setLookedAt(state);
 }
 
 void GearboxPanel::hoverCell(const QModelIndex& index) {

@@ -44,6 +44,8 @@ class GearboxPanel : public QWidget, public ResultsView {
   void engage(int state);
   void toggleCoupling(int coupling);
   void releaseAll();
+  /// Marks the row of the state that is looked at in another view; -1: none.
+  void showLookedAt(int state);
   void addBrake();
   void addClutch();
   void addState();
@@ -53,6 +55,8 @@ class GearboxPanel : public QWidget, public ResultsView {
   void wantExport();
 
  signals:
+  /// The mouse is over the row of this state; -1: over none.
+  void stateHovered(int state);
   /// The torques of all states are needed, or no longer.
   void torquesWanted(bool wanted);
   /// The table as CSV, with a proposed file name.

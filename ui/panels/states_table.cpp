@@ -54,6 +54,12 @@ void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     band.setAlphaF(0.45F);
     painter->fillRect(option.rect, band);
   }
+  if (const auto* table = qobject_cast<const StatesTable*>(option.widget);
+      table != nullptr && table->lookedAt() == index.row()) {
+    constexpr int kEdge = 2;
+    painter->fillRect(QRect(option.rect.left(), option.rect.bottom() + 1 - kEdge, option.rect.width(), kEdge),
+                      qColor(ColorRole::accent, theme));
+  }
   painter->setPen(qColor(ColorRole::ink, theme));
   QFont font = option.font;
   const QString text = index.data().toString();
@@ -230,6 +236,13 @@ void StatesTable::fitColumns() {
     if (!isColumnHidden(column) && m_heads->sectionSize(column) != width)
       m_heads->resizeSection(column, width);
   }
+}
+
+void StatesTable::setLookedAt(int row) {
+  if (row == m_lookedAt) return;
+  m_lookedAt = row;
+  if (row >= 0 && row < m_model->rowCount()) scrollTo(m_model->index(row, 0));
+  viewport()->update();
 }
 
 void StatesTable::leaveEvent(QEvent* event) {

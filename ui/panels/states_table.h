@@ -42,6 +42,9 @@ class StatesTable : public QTableView {
   explicit StatesTable(StatesModel* model, QWidget* parent = nullptr);
   [[nodiscard]] StatesHeader& heads() { return *m_heads; }
   void fitColumns();
+  /// The row of the state that is looked at in another view is marked; -1: none.
+  void setLookedAt(int row);
+  [[nodiscard]] int lookedAt() const { return m_lookedAt; }
 
  signals:
   void left();  ///< the mouse has left the table
@@ -61,6 +64,7 @@ class StatesTable : public QTableView {
 
   StatesModel* m_model;
   StatesHeader* m_heads;
+  int m_lookedAt = -1;
   mutable QHash<QPair<int, QString>, int> m_advances;
   mutable QFont m_measured;  ///< the font of m_advances
 };

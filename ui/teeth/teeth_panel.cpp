@@ -330,6 +330,8 @@ void TeethPanel::showFound(const TeethAnswer& answer) {
                          errorText(answer.nearest->found.errors[ratio]));
     line += QLatin1Char('\n') + tr("None. Nearest: %1").arg(misses.join(QStringLiteral("; ")));
   }
+  for (const std::string& conflict : conflictSentences(answer))
+    line += QLatin1Char('\n') + QString::fromStdString(conflict);
   if (std::any_of(answer.choices.begin(), answer.choices.end(),
                   [](const TeethChoice& choice) { return !choice.undercut.empty(); }))
     line += QStringLiteral(" · ") + tr("u: undercut; a profile shift mends it");

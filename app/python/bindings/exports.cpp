@@ -7,11 +7,10 @@
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
 #include "core/machine/teeth/wheel_kind.h"
-#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/results/csv_tables.h"
 #include "core/presentation/results/graph_files.h"
-#include "core/presentation/results/named_drawings.h"
+#include "core/presentation/results/report_lists.h"
 #include "core/presentation/results/train_export.h"
 
 namespace geargraph::python {
@@ -155,15 +154,9 @@ py::bytes report(Snapshot& self, const std::string& form) {
     raise("limit", "A derivation is written of at most " + std::to_string(kMaxReportLinks) + " links.");
   const SnapshotPtr snapshot = self.full();
   return bytesOf(valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<std::string> {
-    const auto drawn = [&](const char* name) { return drawingNamed(name)->draw(*snapshot, nullptr, stop); };
     Report made = derivationReport(snapshot, stop);
-    if (form == "pdf")
-      return reportPdf(std::move(made), {drawn("schematic"), drawn("digraph"), drawn("ttgraph")});
-    return reportText(made, *reportFormFromName(form), [&] {
-      const SheetStyle style;
-      return ReportDrawings{svgOf(drawn("schematic"), style), svgOf(drawn("digraph"), style),
-                            svgOf(drawn("ttgraph"), style)};
-    });
+    if (form == "pdf") return reportPdf(std::move(made), reportLists(*snapshot, stop));
+    return reportText(made, *reportFormFromName(form), [&] { return reportLists(*snapshot, stop); });
   })));
 }
 

@@ -17,7 +17,7 @@ class Drawing:
     Attributes
     ----------
     name : str
-        "schematic", "digraph", "ttgraph", "levers", "nomogram" or "plan".
+        "schematic", "digraph", "ttgraph", "levers", "nomogram", "plan" or "kutzbach".
     """
 
     __slots__ = ("name", "_snapshot", "_dark", "_transparent", "_size")

@@ -64,6 +64,8 @@ class TeethChoices(NamedTuple):
         The best of them, the best first.
     nearest : TeethChoice or None
         Where there are none: what comes nearest.
+    conflicts : tuple of tuples of int
+        Where there are none: the positions of wished ratios that no choice meets, alone or two together.
     """
 
     complete: bool
@@ -72,6 +74,7 @@ class TeethChoices(NamedTuple):
     count: int  # type: ignore[assignment]  # beside the method of tuples
     choices: Tuple[TeethChoice, ...]
     nearest: Optional[TeethChoice]
+    conflicts: Tuple[Tuple[int, ...], ...]
 
 
 class TeethCheck(NamedTuple):
@@ -151,6 +154,7 @@ class TeethSearch(Lookup):
             found["count"],
             tuple(_choice(row) for row in found["choices"]),
             None if found["nearest"] is None else _choice(found["nearest"]),
+            tuple(tuple(conflict) for conflict in found["conflicts"]),
         )
 
     def use_teeth(self, choice: TeethChoice) -> None:

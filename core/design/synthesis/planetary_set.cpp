@@ -1,12 +1,12 @@
 #include "core/design/synthesis/planetary_set.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "core/design/synthesis/set_search.h"
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
@@ -70,27 +70,25 @@ bool neighboursClear(const PlanetaryTeeth& teeth, int planets) {
 }
 
 std::vector<PlanetaryChoice> planetaryChoices(const PlanetaryRequirements& requirements, std::size_t most) {
+  // Sun 1, ring 2, carrier 3: the third member is held.
+  const auto linkOf = [](PlanetaryMember member) { return LinkOrdinal(static_cast<int>(member) + 1); };
+  const PlanetaryTeeth drawn;
+  TeethWish wish;
+  RatioWish& ratio = wish.ratios.emplace_back();
+  ratio.drive = linkOf(requirements.drive);
+  ratio.driven = linkOf(requirements.driven);
+  ratio.held = {linkOf(heldMember({requirements.drive, requirements.driven}))};
+  wish.fewest = requirements.fewestTeeth;
+  wish.most = wish.mostRing = requirements.mostTeeth;
+  wish.planets = requirements.planets;
   std::vector<PlanetaryChoice> choices;
-  const double wanted = requirements.ratio.toDouble();
-  for (int sun = requirements.fewestTeeth; sun <= requirements.mostTeeth; ++sun) {
-    for (int planet = requirements.fewestTeeth; sun + 2 * planet <= requirements.mostTeeth; ++planet) {
-      const PlanetaryTeeth teeth{sun, planet};
-      if (!assembles(teeth, requirements.planets) || !neighboursClear(teeth, requirements.planets)) continue;
-      const double ratio =
-          static_cast<double>(-weightOf(teeth, requirements.driven)) / weightOf(teeth, requirements.drive);
-      if (ratio * wanted <= 0) continue;
-      choices.push_back({teeth, Rational(), std::abs(ratio - wanted) / std::abs(wanted)});
-    }
+  const auto isEnough = [&](const std::vector<FoundTeeth>& found) { return found.size() >= most; };
+  for (const FoundTeeth& found : nearestTeeth(planetarySet(drawn, requirements.planets), std::move(wish),
+                                              requirements.ratio, isEnough)) {
+    if (choices.size() == most) break;
+    // Wheels in the order of their first ends: sun, planet, ring.
+    choices.push_back({{found.teeth[0], found.teeth[1]}, found.ratios.front(), found.error.toDouble()});
   }
-  const auto nearer = [](const PlanetaryChoice& a, const PlanetaryChoice& b) {
-    if (a.error != b.error) return a.error < b.error;
-    return a.teeth.ring() != b.teeth.ring() ? a.teeth.ring() < b.teeth.ring() : a.teeth.sun < b.teeth.sun;
-  };
-  const auto end = choices.begin() + static_cast<std::ptrdiff_t>(std::min(most, choices.size()));
-  std::partial_sort(choices.begin(), end, choices.end(), nearer);
-  choices.erase(end, choices.end());
-  for (PlanetaryChoice& choice : choices)
-    choice.ratio = planetaryRatio(choice.teeth, requirements.drive, requirements.driven);
   return choices;
 }
 

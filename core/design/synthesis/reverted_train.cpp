@@ -1,52 +1,46 @@
 #include "core/design/synthesis/reverted_train.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/design/synthesis/set_search.h"
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/words.h"
 
 namespace geargraph::inline synthesis {
 namespace {
 
-double ratioOf(const RevertedTeeth& t) {
-  return (static_cast<double>(t.second) / t.first) * (static_cast<double>(t.fourth) / t.third);
-}
-
-/// The nearest to the requirements for one sum and one first wheel: the third wheels on either side of the
-/// exact one.
-void addNearest(int sum, int first, const RevertedRequirements& requirements,
-                std::vector<RevertedChoice>& choices) {
-  const double wanted = requirements.ratio.toDouble();
-  const double second = wanted * first / (sum - first);  // what the second pair should make
-  const int near = static_cast<int>(std::floor(sum / (1 + second)));
-  for (const int third : {near, near + 1}) {
-    const RevertedTeeth teeth{first, sum - first, third, sum - third};
-    if (std::min({teeth.second, third, teeth.fourth}) < requirements.fewestTeeth) continue;
-    if (std::max({teeth.second, third, teeth.fourth}) > requirements.mostTeeth) continue;
-    if (teeth.third > teeth.first) continue;  // the pairs exchanged
-    choices.push_back({teeth, Rational(), std::abs(ratioOf(teeth) - wanted) / wanted});
+/// One for each ratio; of two that differ by exchanging the pairs the one with the larger first pair's
+/// driver.
+std::vector<RevertedChoice> differentChoices(const std::vector<FoundTeeth>& all) {
+  std::vector<RevertedChoice> choices;
+  for (const FoundTeeth& found : all) {
+    // Wheels in the order of their first ends.
+    const RevertedTeeth teeth{found.teeth[0], found.teeth[1], found.teeth[2], found.teeth[3]};
+    if (teeth.third > teeth.first) continue;
+    const bool isNew = std::none_of(choices.begin(), choices.end(), [&](const RevertedChoice& each) {
+      return each.ratio == found.ratios.front();
+    });
+    if (isNew) choices.push_back({teeth, found.ratios.front(), found.error.toDouble()});
   }
+  return choices;
 }
 
 }  // namespace
 
 std::vector<RevertedChoice> revertedChoices(const RevertedRequirements& requirements, std::size_t most) {
-  std::vector<RevertedChoice> choices;
-  if (requirements.ratio.sign() <= 0) return choices;
-  for (int sum = 2 * requirements.fewestTeeth; sum <= 2 * requirements.mostTeeth; ++sum) {
-    const int last = std::min(requirements.mostTeeth, sum - requirements.fewestTeeth);
-    for (int first = std::max(requirements.fewestTeeth, sum - requirements.mostTeeth); first <= last; ++first)
-      addNearest(sum, first, requirements, choices);
-  }
-  for (RevertedChoice& choice : choices) choice.ratio = choice.teeth.ratio();
-  std::sort(choices.begin(), choices.end(), [](const RevertedChoice& a, const RevertedChoice& b) {
-    if (a.error != b.error) return a.error < b.error;
-    const int sumA = a.teeth.first + a.teeth.second, sumB = b.teeth.first + b.teeth.second;
-    return sumA != sumB ? sumA < sumB : a.teeth.first < b.teeth.first;
-  });
-  const auto same = [](const RevertedChoice& a, const RevertedChoice& b) { return a.ratio == b.ratio; };
-  choices.erase(std::unique(choices.begin(), choices.end(), same), choices.end());
+  if (requirements.ratio.sign() <= 0) return {};
+  TeethWish wish;
+  RatioWish& ratio = wish.ratios.emplace_back();
+  ratio.drive = 1;
+  ratio.driven = 3;
+  ratio.isEngaged = true;
+  wish.fewest = requirements.fewestTeeth;
+  wish.most = requirements.mostTeeth;
+  const auto isEnough = [&](const std::vector<FoundTeeth>& found) {
+    return differentChoices(found).size() >= most;
+  };
+  std::vector<RevertedChoice> choices =
+      differentChoices(nearestTeeth(revertedTrain({}), std::move(wish), requirements.ratio, isEnough));
   if (choices.size() > most)
     choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(most), choices.end());
   return choices;

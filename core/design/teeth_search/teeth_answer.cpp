@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "core/design/teeth_search/wished_states.h"
+#include "core/foundations/base/readable.h"
+#include "core/foundations/base/words.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/shift_statics.h"
 
@@ -99,7 +101,66 @@ TeethChoice choiceOf(const TeethProblem& problem, FoundTeeth found, const std::s
   return choice;
 }
 
+/// Is there a choice that meets these wishes, and everything else? std::nullopt if `stop` was requested.
+std::optional<bool> canMeet(const TeethProblem& problem, const std::vector<int>& wishes,
+                            const TeethSearchOptions& options, const std::stop_token& stop) {
+  TeethProblem part = problem;
+  part.ratios.clear();
+  for (const int wish : wishes) part.ratios.push_back(problem.ratios[static_cast<std::size_t>(wish)]);
+  std::stop_source first;  // the first choice is enough
+  const std::stop_callback passOn(stop, [&] { first.request_stop(); });
+  bool found = false;
+  TeethSearchOptions asked;
+  asked.most = 1;
+  asked.accepts = [&](std::span<const int> teeth) {
+    found = found || !options.accepts || options.accepts(teeth);
+    if (found) first.request_stop();
+    return found;
+  };
+  static_cast<void>(searchTeeth(part, asked, first.get_token()));
+  if (!found && stop.stop_requested()) return std::nullopt;
+  return found;
+}
+
+std::vector<std::vector<int>> conflictsOf(const TeethProblem& problem, const TeethSearchOptions& options,
+                                          const std::stop_token& stop) {
+  std::vector<std::vector<int>> conflicts;
+  const auto count = static_cast<int>(problem.ratios.size());
+  const auto ask = [&](std::vector<int> wishes) {
+    const auto met = canMeet(problem, wishes, options, stop);
+    if (met && !*met) conflicts.push_back(std::move(wishes));
+    return met.has_value();
+  };
+  for (int one = 0; one < count; ++one) {
+    if (!ask({one})) return {};
+  }
+  if (!conflicts.empty() || count == 2)
+    return conflicts.empty() ? std::vector<std::vector<int>>{{0, 1}} : conflicts;
+  for (int one = 0; one < count; ++one) {
+    for (int other = one + 1; other < count; ++other) {
+      if (!ask({one, other})) return {};
+    }
+  }
+  return conflicts;
+}
+
+std::string wishText(const TeethProblem& problem, int wish) {
+  const Rational& wanted = problem.ratios[static_cast<std::size_t>(wish)].bounds.wanted;
+  return translated("ratio %1 (%2)", {std::to_string(wish + 1), readableNumber(wanted)});
+}
+
 }  // namespace
+
+std::vector<std::string> conflictSentences(const TeethAnswer& answer) {
+  std::vector<std::string> sentences;
+  for (const std::vector<int>& conflict : answer.conflicts) {
+    const std::string one = wishText(*answer.problem, conflict.front());
+    sentences.push_back(conflict.size() == 1 ? translated("No choice within the limits has %1.", {one})
+                                             : translated("No choice within the limits has both %1 and %2.",
+                                                          {one, wishText(*answer.problem, conflict.back())}));
+  }
+  return sentences;
+}
 
 Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wish,
                                const TeethSearchOptions& options, const std::stop_token& stop) {
@@ -124,6 +185,8 @@ Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wi
                      if (one.found.error != other.found.error) return one.found.error < other.found.error;
                      return one.efficiency.value_or(-1) > other.efficiency.value_or(-1);
                    });
+  if (answer.found.isComplete && answer.found.counts.accepted == 0 && problem.ratios.size() > 1)
+    answer.conflicts = conflictsOf(problem, asked, stop);
   if (answer.found.nearest) answer.nearest = choiceOf(problem, *answer.found.nearest, stop);
   return answer;
 }

@@ -28,11 +28,18 @@ struct TeethAnswer {
   TeethFound found;
   std::vector<TeethChoice> choices;    ///< of found.best; of equal errors the most efficient first
   std::optional<TeethChoice> nearest;  ///< of found.nearest
+  /// Where several ratios are wished and none was found: the positions of each that no choice meets, or else
+  /// of each two that no choice meets together. Empty also where only more of them exclude each other.
+  std::vector<std::vector<int>> conflicts;
 };
+
+/// What the conflicts of an answer are, a sentence each: "No choice has ratio 2 (9/2)."
+[[nodiscard]] std::vector<std::string> conflictSentences(const TeethAnswer& answer);
 
 /// The teeth for a wish about a drawn train: the best choices and the counts of all. An error where the train
 /// leaves nothing to choose (teethProblemOf()). Not complete if `stop` was requested.
-/// Cost: as searchTeeth(), and a statics of each choice where it has losses.
+/// Cost: as searchTeeth(), and a statics of each choice where it has losses; where several ratios exclude
+/// each other a search for each of them and for each two, until the first choice.
 /// @pre the wish was read for this mechanism
 [[nodiscard]] Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wish,
                                              const TeethSearchOptions& options = {},

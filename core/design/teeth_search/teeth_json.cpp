@@ -95,6 +95,14 @@ std::string teethJson(const TeethAnswer& answer) {
     json.endArray();
     json.key("nearest");
     answer.nearest ? writeChoice(json, *answer.problem, *answer.nearest) : json.null();
+    json.key("conflicts");
+    json.beginArray(Layout::row);
+    for (const std::vector<int>& conflict : answer.conflicts) {
+      json.beginArray(Layout::row);
+      for (const int wish : conflict) json.number(std::int64_t{wish});
+      json.endArray();
+    }
+    json.endArray();
     json.endObject();
   }
   return sink.take();

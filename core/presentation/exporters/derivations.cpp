@@ -17,16 +17,14 @@ ExportResult writeReport(ExportContext& context, const OptionValues& given, cons
   return writeDerivation(context, given, target, stop,
                          [&](const SnapshotPtr& snapshot) -> Expected<std::string> {
                            return reportText(derivationReport(snapshot, stop), form,
-                                             [&] { return reportDrawings(*snapshot, stop); });
+                                             [&] { return reportLists(*snapshot, stop); });
                          });
 }
 
 ExportResult writeReportPages(ExportContext& context, const OptionValues& given, const ExportTarget& target,
                               const std::stop_token& stop) {
   return writeDerivation(context, given, target, stop, [&](const SnapshotPtr& snapshot) {
-    return reportPdf(derivationReport(snapshot, stop),
-                     {drawingFor("schematic", *snapshot, stop), drawingFor("digraph", *snapshot, stop),
-                      drawingFor("ttgraph", *snapshot, stop)});
+    return reportPdf(derivationReport(snapshot, stop), reportLists(*snapshot, stop));
   });
 }
 
@@ -61,17 +59,6 @@ constexpr std::array kDerivationExporters = {
 
 ExportFamily derivationFamily() {
   return {toTranslate("Derivations"), toTranslate("derivations"), {}, false, kDerivationExporters};
-}
-
-DisplayList drawingFor(std::string_view name, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  return drawingNamed(name)->draw(snapshot, nullptr, stop);
-}
-
-ReportDrawings reportDrawings(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  const SheetStyle style;
-  return {svgOf(drawingFor("schematic", snapshot, stop), style),
-          svgOf(drawingFor("digraph", snapshot, stop), style),
-          svgOf(drawingFor("ttgraph", snapshot, stop), style)};
 }
 
 ExportResult writeDerivation(ExportContext& context, const OptionValues& given, const ExportTarget& target,

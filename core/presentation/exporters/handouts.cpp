@@ -70,8 +70,8 @@ ExportResult writeHandout(ExportContext& context, const OptionValues& given, con
         if (!snapshot) return std::string();  // out of time
         const MadeHandoutTrain train = handoutTrain(*snapshot, context.folder(), stop);
         for (const std::string& note : train.notes) context.tell(note, ExportNote::About::file);
-        Expected<std::string> page =
-            handoutHtml(snapshot, reportDrawings(*snapshot, stop), train.train, use, exercises, stop);
+        Expected<std::string> page = handoutHtml(snapshot, svgDrawings(arrangedLists(*snapshot, stop)),
+                                                 train.train, use, exercises, stop);
         if (!page || use == HandoutUse::alone) return page;
         return scormPackage(reportTitle(*snapshot->mechanism), *page);
       });

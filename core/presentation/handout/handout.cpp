@@ -138,7 +138,8 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
   const Report report = derivationReport(snapshot, stop);
   const bool hasScene = train.stage && !train.stage->scene.instances.empty();
   Parts parts;
-  parts.drawings = drawingsSection(drawings);
+  const HandoutLevers levers = handoutLevers(*snapshot, stop);
+  parts.drawings = drawingsSection(drawings, levers);
   parts.matrices = matricesSection(*snapshot);
   parts.solution = solutionSection(*snapshot, stop);
   parts.derivation = derivationSection(report);
@@ -152,7 +153,7 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
   for (const double tolerance : {kFarTolerance, kMaxTolerance}) {
     if (stop.stop_requested()) return std::string();
     if (hasScene) parts.geometry = pageGeometry(train.stage->scene, tolerance);
-    parts.data = handoutData(*snapshot, hasScene ? train.stage.get() : nullptr, tolerance, stop);
+    parts.data = handoutData(*snapshot, hasScene ? train.stage.get() : nullptr, tolerance, levers, stop);
     bytes = parts.bytes() + pageStyle().size() + pageScript().size() + (hasScene ? pageLibrary().size() : 0);
     if (bytes <= kMaxHandoutBytes || !hasScene) break;
     note = translated("The wheels are coarse: finer ones would make the file too large.");

@@ -36,10 +36,11 @@ enum class HandoutUse { alone, learningPlatform };
 /// With exercises the page asks the questions, grades them by the same data as the program, with the location
 /// and reason of mistakes, and saves files of answers that the program can grade.
 ///
-/// `drawings`: in SVG, whose elements have the attributes data-list and data-id. Coarser solids are used
-/// where the page would be too large, and the page notes it; beyond kMaxHandoutBytes it fails with
-/// `graphics` and the name of the largest part. The result is meaningless if `stop` was requested meanwhile.
-/// Cost: that of the derivation, and of finer solids.
+/// `drawings`: those that a document arranges, in SVG, whose elements have the attributes data-list and
+/// data-id; levers and nomogram are drawn by the page. Coarser solids are used where the page would be too
+/// large, and the page notes it; beyond kMaxHandoutBytes it fails with `graphics` and the name of the largest
+/// part. The result is meaningless if `stop` was requested meanwhile. Cost: that of the derivation, and of
+/// finer solids.
 /// @pre the snapshot is complete (analyze()); no more than kMaxReportLinks links
 [[nodiscard]] Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawings& drawings,
                                                 const HandoutTrain& train = {},

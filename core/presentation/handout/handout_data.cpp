@@ -26,7 +26,7 @@ class DataWriter {
   DataWriter(ByteSink& sink, const AnalysisSnapshot& snapshot)
       : m_json(sink), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism), m_graph(*snapshot.graph) {}
 
-  void write(const Stage* stage, double tolerance, const std::stop_token& stop) {
+  void write(const Stage* stage, double tolerance, const HandoutLevers& levers, const std::stop_token& stop) {
     m_json.beginObject();
     m_json.member("format", "geargraph-handout");
     m_json.member("version", 1);
@@ -37,6 +37,7 @@ class DataWriter {
     writeRows();
     writeInputs();
     writeStates(stop);
+    writeHandoutLevers(m_json, m_snapshot, levers);
     if (stage != nullptr && m_snapshot.tree && m_snapshot.kinematics) {
       writeMovers();
       m_json.key("scene");
@@ -358,9 +359,9 @@ class DataWriter {
 }  // namespace
 
 std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, double tolerance,
-                        const std::stop_token& stop) {
+                        const HandoutLevers& levers, const std::stop_token& stop) {
   TextSink sink;
-  DataWriter(sink, snapshot).write(stage, tolerance, stop);
+  DataWriter(sink, snapshot).write(stage, tolerance, levers, stop);
   std::string text;
   for (const char letter : sink.text()) {
     if (letter == '<') {

@@ -3,6 +3,7 @@
 #include <stop_token>
 #include <string>
 
+#include "core/presentation/handout/handout_levers.h"
 #include "core/presentation/stage/stage.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -16,9 +17,9 @@ namespace geargraph::inline handout {
 /// empty where the mechanism has no solution. "states": the name of each state that can run, with its rows of
 /// couplings, inputs and speeds; "meshRows", how many of the rows are those of meshes. With a stage "movers",
 /// the links with the lines that they turn about, limits of joints, and "scene", what is shown of the train.
-/// Every "<" is escaped, so that the text is safe in a script element. Cost: that of an analysis for each
-/// state.
+/// "levers" and "nomogram": writeHandoutLevers(). Every "<" is escaped, so that the text is safe in a script
+/// element. Cost: that of an analysis for each state.
 [[nodiscard]] std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, double tolerance,
-                                      const std::stop_token& stop);
+                                      const HandoutLevers& levers, const std::stop_token& stop);
 
 }  // namespace geargraph::inline handout

@@ -152,12 +152,19 @@ std::string counted(int number, const char* one, const char* several) {
   return filled(translated(std::string_view(number == 1 ? one : several)), {std::to_string(number)});
 }
 
-std::string drawingsSection(const ReportDrawings& drawings) {
+std::string drawingsSection(const ReportDrawings& drawings, const HandoutLevers& levers) {
   return heading(translated("Drawings")) +
-         figure("Digraph", translated("Digraph"), drawings.digraph,
+         figure("Digraph", translated("Digraph"), drawings[ReportDrawing::digraph],
                 translated("Digraph. Solid arrows: turning joints; dashed: gear meshes.")) +
-         figure("Schematic", translated("Schematic"), drawings.schematic, translated("Schematic.")) +
-         figure("T-T graph", translated("T-T graph"), drawings.ttGraph, translated("T-T graph."));
+         figure("Schematic", translated("Schematic"), drawings[ReportDrawing::schematic],
+                translated("Schematic.")) +
+         figure("T-T graph", translated("T-T graph"), drawings[ReportDrawing::ttGraph],
+                translated("T-T graph.")) +
+         figure("Levers", translated("Levers"), levers.leversSvg,
+                translated("Levers. Points: links of a gear set at exact distances; arrows: their speeds.")) +
+         figure("Nomogram", translated("Nomogram"), levers.nomogramSvg,
+                translated(
+                    "Nomogram. A line for each state through the speeds of the links, the drive being 1."));
 }
 
 std::string trainSection(const std::string& still) {

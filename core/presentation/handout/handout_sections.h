@@ -3,6 +3,7 @@
 #include <stop_token>
 #include <string>
 
+#include "core/presentation/handout/handout_levers.h"
 #include "core/presentation/report/report.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -14,7 +15,7 @@ namespace geargraph::inline handout {
 // The parts of a page, each the content of a section with its heading.
 
 /// A figure for each drawing that is not empty.
-[[nodiscard]] std::string drawingsSection(const ReportDrawings& drawings);
+[[nodiscard]] std::string drawingsSection(const ReportDrawings& drawings, const HandoutLevers& levers);
 /// Tables of the matrices (1)-(5) and of P, with headings that name their elements.
 [[nodiscard]] std::string matricesSection(const AnalysisSnapshot& snapshot);
 /// The picture shown where the train cannot be shown in 3D: `still`, a PNG, in base64; or none.

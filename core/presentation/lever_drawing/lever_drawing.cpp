@@ -252,12 +252,14 @@ class LeverDrawer {
       const bool pushes = torque.sign() > 0;
       m_painter.arrow(elementOf(*spot.point), pushes ? outer : inner, pushes ? inner : outer, ColorRole::ink,
                       1.8);
+      if (!m_look.numbers) continue;
       m_painter.text(elementOf(*spot.point), {near - size / 2, y + 3}, {Side::below, Side::above, Side::left},
                      threeDecimals(torque), kValueSize, false, ColorRole::secondary);
     }
   }
 
   void drawValues(std::size_t bar) {
+    if (!m_look.numbers) return;
     const double scale = speedScale();
     for (const Spot& spot : m_spots[bar]) {
       const auto speed = speedOf(*spot.point);

@@ -14,6 +14,7 @@ namespace geargraph::inline lever_drawing {
 struct LeverLook {
   bool speeds = true;
   bool torques = true;
+  bool numbers = true;  ///< at the arrows
   /// px on the sheet for 1 rad/s; none: the greatest speed has a fixed length.
   std::optional<double> speedScale = {};
 };

@@ -93,6 +93,22 @@ void LeverPainter::chip(CouplingId coupling, SheetPoint center, bool isEngaged) 
   block(extent);
 }
 
+void LeverPainter::point(const ElementId& element, SheetPoint center, bool isFilled) {
+  constexpr double kRadius = 4.5;
+  const Circle circle{center, kRadius};
+  if (emphasisOf(m_emphases, element).any())
+    put(element, MarkRole::halo, kHaloDepth, Fill{Circle{center, kRadius + kHalo}, ColorRole::halo});
+  put(element, MarkRole::node, kNodeDepth, Fill{circle, isFilled ? ColorRole::ink : ColorRole::sheet});
+  put(element, MarkRole::node, kNodeDepth, Stroke{circle, ColorRole::ink, 1.6, Dash::solid});
+  m_list.outlines.push_back({element, kNodeDepth, circle, 0});
+  block({center, kRadius, kRadius});
+}
+
+void LeverPainter::pickLine(const ElementId& element, SheetPoint from, SheetPoint to) {
+  constexpr double kReach = 5;
+  m_list.outlines.push_back({element, kLineDepth, Curve::straight(from, to), kReach});
+}
+
 void LeverPainter::box(const Box& shape, const Tint& fill, const Tint& border) {
   put({}, MarkRole::node, kLabelDepth, Fill{shape, fill});
   put({}, MarkRole::node, kLabelDepth, Stroke{shape, border, 1.2, Dash::solid});

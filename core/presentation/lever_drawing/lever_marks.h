@@ -39,6 +39,8 @@ class LeverPainter {
   void chip(CouplingId coupling, SheetPoint center, bool isEngaged);
   /// The ground beside a disc: a triangle on a hatched line, opening to the right.
   void ground(const ElementId& element, SheetPoint tip);
+  /// A small point, filled or open.
+  void point(const ElementId& element, SheetPoint center, bool isFilled);
   void box(const Box& shape, const Tint& fill, const Tint& border);
   /// A word in a rounded box.
   void pill(const ElementId& element, SheetPoint anchor, Side side, const std::string& word, bool isInput);
@@ -52,6 +54,8 @@ class LeverPainter {
   /// Texts keep clear of it.
   void block(const Extent& box) { m_taken.addBox(box); }
   void blockLine(SheetPoint from, SheetPoint to) { m_taken.addCurve(Curve::straight(from, to)); }
+  /// A straight line can be picked.
+  void pickLine(const ElementId& element, SheetPoint from, SheetPoint to);
   /// Half the width of a disc with the labels of these links.
   [[nodiscard]] static double halfWidthOf(const std::vector<LinkOrdinal>& links);
 

@@ -1,6 +1,7 @@
 #include "core/presentation/lever_drawing/point_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -15,44 +16,134 @@ namespace {
 
 constexpr double kPlanWidth = 460;
 constexpr double kPlanHeight = 340;
-constexpr double kPlanDiscGap = 40;  ///< between centres of discs
+constexpr double kPlanDiscGap = 40;    ///< between centres of discs
+constexpr double kProjectionGap = 70;  ///< from the plane to the line that it is projected onto
 
 class PointPlanDrawer {
  public:
-  PointPlanDrawer(const Mechanism& mechanism, const LeverPlan& plan, const Emphases& emphases)
+  PointPlanDrawer(const Mechanism& mechanism, const LeverPlan& plan,
+                  const std::optional<PlanProjection>& projection, const Emphases& emphases)
       : m_mechanism(mechanism),
         m_plan(plan),
+        m_linkAt(mechanism.links),
+        m_projection(projection),
         m_painter(mechanism, emphases,
-                  Extent::spanning({-200, -200}, {kPlanWidth + 200, kPlanHeight + 200})) {}
+                  Extent::spanning({-kPlanWidth, -kPlanWidth}, {2 * kPlanWidth, 2 * kPlanWidth})) {}
 
-  DisplayList drawn() {
+  PointPlanSheet drawn() {
     if (const std::string why = whyNoPointPlan(m_mechanism, m_plan); !why.empty()) {
       m_painter.fixedText({}, {0, 0}, why, 13, false, ColorRole::secondary);
-      return m_painter.take();
+      return {m_painter.take(), {}};
     }
     placePoints();
+    m_projection ? drawProjection() : drawPlane();
+    return {m_painter.take(), std::move(m_spots)};
+  }
+
+ private:
+  struct Place {
+    std::vector<LinkOrdinal> links;
+    std::pair<Rational, Rational> point;
+    SheetPoint at;
+    SheetPoint center;
+  };
+
+  void drawPlane() {
+    for (std::size_t i = 1; i < m_places.size(); ++i) moveApart(i);
     for (const Lever& lever : m_plan.levers) drawLever(lever);
-    for (const auto& place : m_places) {
-      if (distance(place.center, place.at) > 1)
-        m_painter.line(m_mechanism.links[place.links.front()].id, {place.at, place.center},
-                       ColorRole::secondary, 0.8);
-      m_painter.disc(place.links, place.center, place.links.front() == 0);
-    }
+    for (const auto& place : m_places) drawDisc(place.links, place.at, place.center);
     drawCouplings();
     for (const Lever& lever : m_plan.levers) {
       const SheetPoint end = endOf(lever);
       m_painter.text({}, end, {Side::right, Side::below, Side::above, Side::left}, setsOf(lever), kValueSize,
                      true, ColorRole::ink);
     }
-    return m_painter.take();
   }
 
- private:
-  struct Place {
+  void drawDisc(const std::vector<LinkOrdinal>& links, SheetPoint at, SheetPoint center) {
+    if (distance(center, at) > 1)
+      m_painter.line(m_mechanism.links[links.front()].id, {at, center}, ColorRole::secondary, 0.8);
+    m_painter.disc(links, center, links.front() == 0);
+    m_spots.push_back({links, center});
+  }
+
+  /// The other side of a brake is the ground.
+  [[nodiscard]] std::pair<LinkOrdinal, LinkOrdinal> endsOf(const Coupling& coupling) const {
+    return {m_linkAt.at(coupling.links[0]), coupling.kind == CouplingKind::brake
+                                                ? LinkOrdinal(0)
+                                                : LinkOrdinal(m_linkAt.at(coupling.links[1]))};
+  }
+
+  /// Points that one line in the direction of the coupling joins become one.
+  struct Image {
+    Rational across;  ///< the same for all of them
     std::vector<LinkOrdinal> links;
     SheetPoint at;
-    SheetPoint center;
   };
+
+  void drawProjection() {
+    const Coupling& coupling = m_mechanism.couplings[m_projection->coupling];
+    const auto [one, other] = endsOf(coupling);
+    const Place& from = placeOf(one);
+    const Place& to = placeOf(other);
+    const SheetPoint along = unit(to.at - from.at);
+    double end = 0;
+    for (const Place& place : m_places) end = std::max(end, dot(place.at, along));
+    end += kProjectionGap;
+    std::vector<Image> images;
+    for (const Place& place : m_places) {
+      const SheetPoint image = place.at + (end - dot(place.at, along)) * along;
+      m_painter.line({}, {place.at, image}, ColorRole::secondary, 1, Dash::dotted);
+      const Rational across = place.point.first * (to.point.second - from.point.second) -
+                              place.point.second * (to.point.first - from.point.first);
+      const auto same = std::find_if(images.begin(), images.end(),
+                                     [&](const Image& each) { return each.across == across; });
+      if (same == images.end()) {
+        images.push_back({across, place.links, image});
+      } else {
+        same->links.insert(same->links.end(), place.links.begin(), place.links.end());
+        std::sort(same->links.begin(), same->links.end());
+      }
+    }
+    for (const Lever& lever : m_plan.levers) {
+      m_painter.line(
+          {}, {placeOf(lever.points.front().links.front()).at, placeOf(lever.points.back().links.front()).at},
+          ColorRole::secondary, 1.2);
+    }
+    m_painter.line(coupling.id, {from.at, to.at}, ColorRole::ink, 2);
+    for (const Place& place : m_places)
+      m_painter.point(m_mechanism.links[place.links.front()].id, place.at, place.links.front() == 0);
+    m_painter.chip(coupling.id, letterPlace(coupling.id.text(), from.at, to.at), true);
+    m_projection->progress < 1 ? drawMoving(along, end) : drawImages(std::move(images), along);
+  }
+
+  void drawMoving(SheetPoint along, double end) {
+    for (const Place& place : m_places) {
+      const SheetPoint now = place.at + m_projection->progress * (end - dot(place.at, along)) * along;
+      m_painter.disc(place.links, now, place.links.front() == 0);
+    }
+  }
+
+  /// The lever that is left.
+  void drawImages(std::vector<Image> images, SheetPoint along) {
+    const SheetPoint across = turned(along);
+    std::sort(images.begin(), images.end(),
+              [&](const Image& a, const Image& b) { return dot(a.at, across) < dot(b.at, across); });
+    m_painter.line({}, {images.front().at, images.back().at}, ColorRole::ink, 2.4);
+    m_painter.blockLine(images.front().at, images.back().at);
+    std::vector<double> places;
+    for (const Image& image : images) places.push_back(dot(image.at, across));
+    spread(places, kPlanDiscGap);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const double moved = places[i] - dot(images[i].at, across);
+      const SheetPoint aside = std::abs(moved) > 1 ? 26 * along : SheetPoint{};
+      drawDisc(images[i].links, images[i].at, images[i].at + moved * across + aside);
+    }
+    m_painter.text({}, images.back().at, {Side::below, Side::right, Side::above},
+                   translated("%1 is engaged: the plane projected along its line",
+                              {m_mechanism.couplings[m_projection->coupling].id.text()}),
+                   kSmallSize, false, ColorRole::secondary);
+  }
 
   void placePoints() {
     std::map<std::pair<Rational, Rational>, std::vector<LinkOrdinal>> links;
@@ -68,11 +159,10 @@ class PointPlanDrawer {
       const double x = ((point.first - least.first) / (most.first - least.first)).toDouble();
       const double y = ((point.second - least.second) / (most.second - least.second)).toDouble();
       const SheetPoint at{kPlanWidth * x, kPlanHeight * (1 - y)};
-      m_places.push_back({std::move(all), at, at});
+      m_places.push_back({std::move(all), point, at, at});
     }
     std::sort(m_places.begin(), m_places.end(),
               [](const Place& a, const Place& b) { return a.links.front() < b.links.front(); });
-    for (std::size_t i = 1; i < m_places.size(); ++i) moveApart(i);
   }
 
   /// A disc that has no room at its point goes up to the right of it, then further.
@@ -133,11 +223,8 @@ class PointPlanDrawer {
   }
 
   void drawCouplings() {
-    const PositionIndex<LinkTag> linkAt(m_mechanism.links);
     for (const Coupling& coupling : m_mechanism.couplings) {
-      const LinkOrdinal one = linkAt.at(coupling.links[0]);
-      const LinkOrdinal other =
-          coupling.kind == CouplingKind::brake ? LinkOrdinal(0) : LinkOrdinal(linkAt.at(coupling.links[1]));
+      const auto [one, other] = endsOf(coupling);
       if (m_plan.positionOf(one) < 0 || m_plan.positionOf(other) < 0) continue;
       const Place& from = placeOf(one);
       const Place& to = placeOf(other);
@@ -153,8 +240,11 @@ class PointPlanDrawer {
 
   const Mechanism& m_mechanism;
   const LeverPlan& m_plan;
+  PositionIndex<LinkTag> m_linkAt;
+  std::optional<PlanProjection> m_projection;
   LeverPainter m_painter;
   std::vector<Place> m_places;  ///< by their first links
+  std::vector<PointPlanSheet::Spot> m_spots;
   std::vector<Extent> m_letters;
 };
 
@@ -169,8 +259,32 @@ std::string whyNoPointPlan(const Mechanism& mechanism, const LeverPlan& plan) {
                                {std::to_string(plan.basis.size())});
 }
 
+std::optional<CouplingOrdinal> projectingCoupling(const Mechanism& mechanism, const LeverPlan& plan) {
+  if (mechanism.engaged.empty() || !whyNoPointPlan(mechanism, plan).empty()) return std::nullopt;
+  const PositionIndex<LinkTag> linkAt(mechanism.links);
+  for (const CouplingOrdinal each : mechanism.couplings.ordinals()) {
+    const Coupling& coupling = mechanism.couplings[each];
+    if (coupling.id != mechanism.engaged.back()) continue;
+    const int one = plan.positionOf(linkAt.at(coupling.links[0]));
+    const int other =
+        coupling.kind == CouplingKind::brake ? 0 : plan.positionOf(linkAt.at(coupling.links[1]));
+    if (one < 0 || other < 0) return std::nullopt;
+    const auto& points = plan.points;
+    if (points[static_cast<std::size_t>(one)] == points[static_cast<std::size_t>(other)]) return std::nullopt;
+    return each;
+  }
+  return std::nullopt;
+}
+
+PointPlanSheet pointPlanSheet(const Mechanism& mechanism, const LeverPlan& plan,
+                              const std::optional<PlanProjection>& projection, const Emphases& emphases) {
+  return PointPlanDrawer(mechanism, plan, projection, emphases).drawn();
+}
+
 DisplayList pointPlanDrawing(const Mechanism& mechanism, const LeverPlan& plan, const Emphases& emphases) {
-  return PointPlanDrawer(mechanism, plan, emphases).drawn();
+  std::optional<PlanProjection> projection;
+  if (const auto coupling = projectingCoupling(mechanism, plan)) projection = PlanProjection{*coupling, 1};
+  return pointPlanSheet(mechanism, plan, projection, emphases).drawing;
 }
 
 }  // namespace geargraph::inline lever_drawing

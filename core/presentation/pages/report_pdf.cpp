@@ -61,8 +61,8 @@ class PagePainter {
       m_pages.formula(*formula.box, kSide + formula.x, top + formula.y, formula.size, kInk, kSoft);
     }
     if (const auto& figure = line.figure) {
-      m_pages.drawing(figure->curves ? *figure->curves : m_drawings.of(figure->drawing), kSide + figure->x,
-                      top, figure->width, figure->height);
+      m_pages.drawing(figure->curves ? *figure->curves : m_drawings[figure->drawing], kSide + figure->x, top,
+                      figure->width, figure->height);
     }
   }
 
@@ -74,11 +74,6 @@ class PagePainter {
 
 }  // namespace
 
-const DisplayList& ReportLists::of(ReportDrawing drawing) const {
-  if (drawing == ReportDrawing::schematic) return schematic;
-  return drawing == ReportDrawing::digraph ? digraph : ttGraph;
-}
-
 Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   const SetReport set(std::move(report));
   PdfPages pdf(kPageWidth, kPageHeight, set.report().title);
@@ -89,7 +84,7 @@ Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   flow.tallest = kBody - 3 * kSize;
   flow.curvesScale = kPoints;
   flow.figureSize = [&](ReportDrawing drawing) -> std::optional<FlowParameters::FigureSize> {
-    const DisplayList& list = drawings.of(drawing);
+    const DisplayList& list = drawings[drawing];
     if (list.marks.empty()) return std::nullopt;
     const Extent sheet = sheetOf(list, {});
     return FlowParameters::FigureSize{2 * kPoints * sheet.halfWidth, 2 * kPoints * sheet.halfHeight};

@@ -8,15 +8,6 @@
 
 namespace geargraph::inline pages {
 
-/// The drawings of a report; empty ones are left out.
-struct ReportLists {
-  DisplayList schematic;
-  DisplayList digraph;
-  DisplayList ttGraph;
-
-  [[nodiscard]] const DisplayList& of(ReportDrawing drawing) const;
-};
-
 /// A report as an A4 PDF: formulas and drawings are vector graphics and text, headings are in the outline. No
 /// page ends with a heading. Matrices that are too wide are scaled down, at most to 0.6. Fails with
 /// `graphics` if memory is exhausted. Cost: linear in the report.

@@ -87,7 +87,7 @@ class HtmlWriter {
     return text + "</ul>\n";
   }
   std::string operator()(const ReportFigure& figure) const {
-    const std::string& svg = of(figure.drawing);
+    const std::string& svg = m_drawings[figure.drawing];
     return svg.empty() ? std::string() : figureOf(svg, figure.caption);
   }
   std::string operator()(const ReportCurves& curves) const {
@@ -119,11 +119,6 @@ class HtmlWriter {
     for (std::size_t row = rows.size(); row-- > 0;)
       text.insert(rows[row] + kRow.size() - 1, attributeOf(equation.elements[row]));
     return text;
-  }
-
-  [[nodiscard]] const std::string& of(ReportDrawing drawing) const {
-    if (drawing == ReportDrawing::schematic) return m_drawings.schematic;
-    return drawing == ReportDrawing::digraph ? m_drawings.digraph : m_drawings.ttGraph;
   }
 
   const ReportDrawings& m_drawings;

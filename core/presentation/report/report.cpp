@@ -2,6 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
+#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 
@@ -34,14 +35,22 @@ Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop
   addTtGraphPart(report, *snapshot, stop);
   addComparisonPart(report, *snapshot, stop);
   addStaticsPart(report, *snapshot, stop);
+  addLeversPart(report, *snapshot, stop);
   return report;
 }
 
-std::string reportText(const Report& report, ReportForm form,
-                       const std::function<ReportDrawings()>& drawings) {
+ReportDrawings svgDrawings(const ReportLists& lists) {
+  ReportDrawings drawings;
+  for (std::size_t i = 0; i < lists.all.size(); ++i) {
+    if (!lists.all[i].marks.empty()) drawings.all[i] = svgOf(lists.all[i], SheetStyle());
+  }
+  return drawings;
+}
+
+std::string reportText(const Report& report, ReportForm form, const std::function<ReportLists()>& drawings) {
   if (form == ReportForm::markdown) return reportMarkdown(report);
   if (form == ReportForm::latex) return reportLatex(report);
-  return reportHtml(report, drawings());
+  return reportHtml(report, svgDrawings(drawings()));
 }
 
 std::optional<ReportForm> reportFormFromName(std::string_view name) {

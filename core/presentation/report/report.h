@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -10,6 +11,7 @@
 
 #include "core/foundations/base/words.h"
 #include "core/presentation/drawing/curve_chart.h"
+#include "core/presentation/drawing/display_list.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::inline report {
@@ -51,7 +53,8 @@ struct ReportTable {
 struct ReportList {
   std::vector<ReportWords> items;
 };
-enum class ReportDrawing { schematic, digraph, ttGraph };
+enum class ReportDrawing { schematic, digraph, ttGraph, levers, nomogram };
+constexpr std::size_t kReportDrawingCount = 5;
 /// The place of a drawing, in the forms that have drawings.
 struct ReportFigure {
   ReportDrawing drawing = ReportDrawing::digraph;
@@ -88,17 +91,26 @@ inline constexpr const char* kComparisonHeading = toTranslate("Both methods comp
 /// @pre the snapshot is complete (analyze()); no more than kMaxReportLinks links
 [[nodiscard]] Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop = {});
 
-/// The drawings in SVG; empty ones are left out.
-struct ReportDrawings {
-  std::string schematic;
-  std::string digraph;
-  std::string ttGraph;
+/// The drawings of a report, each by its place; empty ones are left out.
+template <class Drawn>
+struct PerReportDrawing {
+  std::array<Drawn, kReportDrawingCount> all = {};
+
+  [[nodiscard]] Drawn& operator[](ReportDrawing drawing) { return all[static_cast<std::size_t>(drawing)]; }
+  [[nodiscard]] const Drawn& operator[](ReportDrawing drawing) const {
+    return all[static_cast<std::size_t>(drawing)];
+  }
 };
+using ReportLists = PerReportDrawing<DisplayList>;
+using ReportDrawings = PerReportDrawing<std::string>;  ///< in SVG
+
+/// The lists as SVG; an empty list is an empty text.
+[[nodiscard]] ReportDrawings svgDrawings(const ReportLists& lists);
 
 enum class ReportForm { markdown, latex, html };
 /// The report in a form. `drawings` is called only if the form has drawings, because they may be expensive.
 [[nodiscard]] std::string reportText(const Report& report, ReportForm form,
-                                     const std::function<ReportDrawings()>& drawings);
+                                     const std::function<ReportLists()>& drawings);
 
 /// "md", "latex", "html"
 [[nodiscard]] std::optional<ReportForm> reportFormFromName(std::string_view name);

@@ -27,6 +27,10 @@ void addComparisonPart(Report& report, const AnalysisSnapshot& snapshot, const s
 /// are.
 void addStaticsPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
+/// The gear sets as levers, with places and speeds of their links, and the nomogram of the states; nothing
+/// without a lever.
+void addLeversPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
+
 /// Base of the parts, which adds blocks to a report.
 class ReportPart {
  protected:

@@ -170,6 +170,17 @@ std::vector<KinematicModel::HeldRow> heldWithout(const Mechanism& mechanism, con
   return held;
 }
 
+/// The rates of all joints with the speeds of the inputs; empty where these do not determine them.
+/// std::nullopt if `stop` was requested.
+std::optional<std::vector<Rational>> exactRates(const AnalysisSnapshot& snapshot,
+                                                const std::stop_token& stop) {
+  const MatroidAnalysis* const matroid = snapshot.matroid();
+  if (matroid == nullptr || !matroid->solution) return std::vector<Rational>();
+  auto exact = solveExact(*snapshot.kinematics->model, matroid->choice.joints, matroid->speeds, stop);
+  if (!exact) return std::nullopt;
+  return std::move(exact->rates);
+}
+
 }  // namespace
 
 std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
@@ -178,15 +189,11 @@ std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot, con
   const Placement& placement = kinematics->placement();
   auto plan = leverPlanOf(*kinematics->model, placement, {}, stop);
   if (!plan) return std::nullopt;
-  std::vector<int> inputs;
-  std::vector<Rational> rates;
-  if (const MatroidAnalysis* const matroid = snapshot.matroid(); matroid != nullptr && matroid->solution) {
-    inputs = matroid->choice.joints;
-    auto exact = solveExact(*kinematics->model, inputs, matroid->speeds, stop);
-    if (!exact) return std::nullopt;
-    rates = std::move(exact->rates);
-  }
-  LeverPicture picture = leverPicture(*snapshot.mechanism, placement, *std::move(plan), inputs, rates);
+  const auto rates = exactRates(snapshot, stop);
+  if (!rates) return std::nullopt;
+  const MatroidAnalysis* const matroid = snapshot.matroid();
+  const std::vector<int> inputs = rates->empty() ? std::vector<int>() : matroid->choice.joints;
+  LeverPicture picture = leverPicture(*snapshot.mechanism, placement, *std::move(plan), inputs, *rates);
   if (picture.plan.levers.empty()) return picture;
   const auto report = lossless(snapshot, stop);
   if (stop.stop_requested()) return std::nullopt;
@@ -206,6 +213,14 @@ std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot, const std
   }
   return leverPlanOf(*kinematics->model, kinematics->placement(),
                      heldWithout(mechanism, kinematics->placement(), last), stop);
+}
+
+std::optional<SpeedPlan> speedPlanFor(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const LiveKinematics* const kinematics = snapshot.kinematics.get();
+  if (kinematics == nullptr || !kinematics->model) return SpeedPlan{};
+  const auto rates = exactRates(snapshot, stop);
+  if (!rates) return std::nullopt;
+  return speedPlanOf(kinematics->placement(), *rates);
 }
 
 std::optional<int> freedomWithout(const AnalysisSnapshot& snapshot, CouplingOrdinal coupling,

@@ -7,6 +7,7 @@
 
 #include "core/presentation/lever_drawing/lever_picture.h"
 #include "core/theory/analysis/analysis.h"
+#include "core/theory/levers/speed_plan.h"
 
 namespace geargraph::inline results {
 
@@ -21,6 +22,11 @@ namespace geargraph::inline results {
 /// train. std::nullopt if `stop` was requested.
 [[nodiscard]] std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot,
                                                    const std::stop_token& stop = {});
+
+/// Kutzbach's speed plan with the speeds of the inputs. std::nullopt if `stop` was requested.
+/// Cost: an exact solution where the snapshot has none yet.
+[[nodiscard]] std::optional<SpeedPlan> speedPlanFor(const AnalysisSnapshot& snapshot,
+                                                    const std::stop_token& stop = {});
 
 /// The freedom of the train when this coupling is let go and the others stay engaged. std::nullopt if `stop`
 /// was requested, or the train has no plan. Cost: leverPlanOf().

@@ -9,6 +9,7 @@
 #include "core/presentation/lever_drawing/lever_drawing.h"
 #include "core/presentation/lever_drawing/nomogram.h"
 #include "core/presentation/lever_drawing/point_plan.h"
+#include "core/presentation/lever_drawing/speed_plan_drawing.h"
 #include "core/presentation/power_drawing/power_drawing.h"
 #include "core/presentation/results/levers_json.h"
 #include "core/presentation/schematic/schematic.h"
@@ -68,10 +69,21 @@ DisplayList plan(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/, 
   return points ? pointPlanDrawing(*snapshot.mechanism, *points, {}) : DisplayList();
 }
 
+DisplayList kutzbach(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
+                     const std::stop_token& stop) {
+  const auto plan = speedPlanFor(snapshot, stop);
+  if (!plan) return {};
+  static const Placement kNowhere{};
+  const bool hasPlan = plan->absence == SpeedPlanAbsence::none;
+  return speedPlanDrawing(*snapshot.mechanism, hasPlan ? snapshot.kinematics->placement() : kNowhere, *plan,
+                          hasPlan ? schematicGeometry(*snapshot.geometry, stop) : SchematicGeometry(), {});
+}
+
 constexpr std::array kDrawings = {
     NamedDrawing{"digraph", digraph},          NamedDrawing{"ttgraph", ttGraph, false},
     NamedDrawing{"schematic", schematic},      NamedDrawing{"levers", levers, false},
-    NamedDrawing{"nomogram", nomogram, false}, NamedDrawing{"plan", plan, false}};
+    NamedDrawing{"nomogram", nomogram, false}, NamedDrawing{"plan", plan, false},
+    NamedDrawing{"kutzbach", kutzbach, false}};
 
 }  // namespace
 

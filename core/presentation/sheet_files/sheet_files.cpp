@@ -3,9 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
-#include "core/presentation/results/named_drawings.h"
+#include "core/presentation/results/report_lists.h"
 #include "core/presentation/sheets/sheet_report.h"
 #include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
@@ -43,12 +42,10 @@ std::string answersFor(const SheetVariant& sheet, const std::string& mark, const
 /// Writes documents of one source in every form, with the same drawings.
 class SheetWriter {
  public:
-  SheetWriter(const ExerciseSource& source, const std::stop_token& stop)
-      : m_lists{drawingNamed("schematic")->draw(*source.snapshot(), nullptr, stop),
-                drawingNamed("digraph")->draw(*source.snapshot(), nullptr, stop),
-                {}} {
-    const SheetStyle style;
-    m_drawings = {svgOf(m_lists.schematic, style), svgOf(m_lists.digraph, style), {}};
+  SheetWriter(const ExerciseSource& source, const std::stop_token& stop) {
+    for (const ReportDrawing each : {ReportDrawing::schematic, ReportDrawing::digraph})
+      m_lists[each] = reportDrawing(each, *source.snapshot(), stop);
+    m_drawings = svgDrawings(m_lists);
   }
 
   [[nodiscard]] Expected<std::string> bytesOf(const Report& report, const SheetVariant& sheet, SheetForm part,

@@ -41,6 +41,7 @@ enum class Quantity : std::uint8_t {
   meshesOf,        ///< gear meshes of this link
   gearSizes,       ///< different numbers of teeth on this link
   unequalCentres,  ///< pairs of meshes of one gear between the same axes whose teeth give different distances
+  leverPlace,      ///< of this link, on the first lever that has it, 0 to 1
 };
 
 struct AskedQuantity {
@@ -122,12 +123,18 @@ struct DrawTask {
 
 using LessonTask = std::variant<AnswerTask, ExerciseTask, QuestionTask, DrawTask>;
 
+/// The drawing in front: those of questions (LessonView), in the same order, and two to be read off.
+enum class StepView : std::uint8_t { digraph, ttGraph, schematic, levers, nomogram };
+[[nodiscard]] constexpr StepView stepViewOf(LessonView view) {
+  return static_cast<StepView>(view);
+}
+
 struct LessonStep {
   std::string title;
   std::string text;                              ///< sentences, with formulas in TeX between dollar signs
   std::string formula;                           ///< in TeX, displayed; may be empty
   PaperEquation equation = PaperEquation::none;  ///< whose number stands beside the formula
-  LessonView view = LessonView::digraph;
+  StepView view = StepView::digraph;
   LessonDocument document;
   std::vector<ElementId> elements;  ///< highlighted when the step begins
   std::string prompt;              ///< the task in words; if empty for an exercise, the question's own prompt

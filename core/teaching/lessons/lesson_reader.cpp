@@ -40,14 +40,15 @@ std::string sentence(MemberReader& reader, const JsonValue& object, std::string_
   return text;
 }
 
-LessonView readView(MemberReader& reader, const JsonValue& step, const std::string& pointer) {
-  constexpr std::array<std::string_view, 3> kNames = {"digraph", "tt-graph", "schematic"};
+StepView readView(MemberReader& reader, const JsonValue& step, const std::string& pointer) {
+  constexpr std::array<std::string_view, 5> kNames = {"digraph", "tt-graph", "schematic", "levers",
+                                                      "nomogram"};
   const std::string name = reader.text(step, "view", pointer, false);
   const auto* const found = std::find(kNames.begin(), kNames.end(), name);
   if (found == kNames.end() && !name.empty())
-    reader.fail(pointer + "/view", translated("A view is digraph, tt-graph or schematic."));
-  return name.empty() || found == kNames.end() ? LessonView::digraph
-                                               : static_cast<LessonView>(found - kNames.begin());
+    reader.fail(pointer + "/view", translated("A view is digraph, tt-graph, schematic, levers or nomogram."));
+  return name.empty() || found == kNames.end() ? StepView::digraph
+                                               : static_cast<StepView>(found - kNames.begin());
 }
 
 class LessonReader {

@@ -15,7 +15,7 @@ Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int v
     Question& question = sheet.questions[i];
     LessonStep step;
     step.title = kindTitle(plan.kinds[i]);
-    step.view = kindView(plan.kinds[i]);
+    step.view = stepViewOf(kindView(plan.kinds[i]));
     step.document.mechanism = mechanism;
     step.elements = question.elements;
     step.hints = {std::string(kindHint(plan.kinds[i]))};

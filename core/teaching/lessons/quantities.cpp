@@ -8,6 +8,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/graph/spanning_tree.h"
+#include "core/theory/levers/lever_plan.h"
 #include "core/theory/statics/statics_report.h"
 
 namespace geargraph::inline lessons {
@@ -48,6 +49,7 @@ constexpr std::array kQuantities = {
     QuantityEntry{Quantity::meshesOf, "meshes-of", true},
     QuantityEntry{Quantity::gearSizes, "gear-sizes", true},
     QuantityEntry{Quantity::unequalCentres, "unequal-centres"},
+    QuantityEntry{Quantity::leverPlace, "lever-place", true},
 };
 
 const QuantityEntry& entryOf(Quantity quantity) {
@@ -247,6 +249,8 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
     case Quantity::meshesOf:
     case Quantity::gearSizes:
       return partsOf(*m_mechanism, asked);
+    case Quantity::leverPlace:
+      return leverPlaceOf(asked.of);
   }
   return notDefined(translated("This quantity is not known."));
 }
@@ -329,6 +333,19 @@ Expected<QuantityValues> LessonAnalysis::torqueOf(const std::string& holder) {
     return number(*torque.fraction());
   }
   return unknown(toTranslate("The document has no balance or engaged coupling \"%1\"."), holder);
+}
+
+Expected<QuantityValues> LessonAnalysis::leverPlaceOf(const std::string& link) {
+  const std::optional<int> ordinal = positionOf(m_mechanism->links, link);
+  if (!ordinal) return unknown(toTranslate("The document has no link \"%1\"."), link);
+  const LiveKinematicsPtr& kinematics = live().kinematics;
+  if (kinematics && kinematics->model) {
+    const auto plan = leverPlanOf(*kinematics->model, kinematics->placement(), {}, m_stop);
+    for (const Lever& lever : plan ? plan->levers : std::vector<Lever>()) {
+      if (const LeverPoint* const point = lever.pointOf(*ordinal)) return number(point->at);
+    }
+  }
+  return notDefined(translated("Link \"%1\" is on no lever.", {link}));
 }
 
 Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {

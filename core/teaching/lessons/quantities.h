@@ -45,6 +45,7 @@ class LessonAnalysis {
   [[nodiscard]] Expected<QuantityValues> ratesOf(const AskedQuantity& asked);
   [[nodiscard]] Expected<QuantityValues> ratioOf(const std::string& state);
   [[nodiscard]] Expected<QuantityValues> torqueOf(const std::string& holder);
+  [[nodiscard]] Expected<QuantityValues> leverPlaceOf(const std::string& link);
   [[nodiscard]] Expected<QuantityValues> walkOf(const AskedQuantity& asked);
   [[nodiscard]] QuantityValues diagnosticValues(const AskedQuantity& asked);
 

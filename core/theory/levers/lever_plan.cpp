@@ -210,21 +210,6 @@ class LineFinder {
   std::vector<Place> m_places;  ///< different points, by their first links
 };
 
-/// The class at the ground with the most links.
-ClassOrdinal mainAxisOf(const Placement& placement) {
-  const AxisClasses& classes = *placement.classes;
-  std::vector<int> links(classes.classes.size(), 0);
-  for (std::size_t link = 1; link < classes.ofLink.size(); ++link)
-    ++links[static_cast<std::size_t>(int{classes.ofLink[LinkOrdinal(link)]})];
-  ClassOrdinal main = -1;
-  for (const ClassOrdinal each : classes.classes.ordinals()) {
-    if (classes.classes[each].rootLink != 0) continue;
-    if (main < 0 || links[static_cast<std::size_t>(int{each})] > links[static_cast<std::size_t>(int{main})])
-      main = each;
-  }
-  return main;
-}
-
 /// The first mesh from a wheel on the main axis to one whose axis points elsewhere.
 std::optional<MeshOrdinal> meshAway(const Placement& placement, ClassOrdinal mainAxis) {
   for (const MeshOrdinal mesh : placement.meshes.ordinals()) {
@@ -306,6 +291,20 @@ bool LeverPlan::areOneByMeshes(const std::vector<LinkOrdinal>& shared) const {
     const LeverPoint* const point = lever.pointOf(shared.front());
     return point == nullptr || point->isOneByMeshes;
   });
+}
+
+ClassOrdinal mainAxisOf(const Placement& placement) {
+  const AxisClasses& classes = *placement.classes;
+  std::vector<int> links(classes.classes.size(), 0);
+  for (std::size_t link = 1; link < classes.ofLink.size(); ++link)
+    ++links[static_cast<std::size_t>(int{classes.ofLink[LinkOrdinal(link)]})];
+  ClassOrdinal main = -1;
+  for (const ClassOrdinal each : classes.classes.ordinals()) {
+    if (classes.classes[each].rootLink != 0) continue;
+    if (main < 0 || links[static_cast<std::size_t>(int{each})] > links[static_cast<std::size_t>(int{main})])
+      main = each;
+  }
+  return main;
 }
 
 std::optional<LeverPlan> leverPlanOf(const KinematicModel& model, const Placement& placement,

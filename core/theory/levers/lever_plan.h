@@ -76,6 +76,10 @@ struct LeverPlan {
   [[nodiscard]] std::vector<std::vector<LinkOrdinal>> coincident() const;
 };
 
+/// The main axis: see LeverPlan. -1 if no class of coaxial joints is at the ground.
+/// @pre the placement has a tree
+[[nodiscard]] ClassOrdinal mainAxisOf(const Placement& placement);
+
 /// The plan of the meshes and of the engaged couplings in `held` (engagement.h), each of which projects the
 /// points along one direction. std::nullopt if `stop` was requested.
 /// Cost: an exact elimination of the train, and links^2 times freedom for the lines.

@@ -2,13 +2,16 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
+#include <cmath>
 
 #include "core/theory/states/state_edits.h"
 #include "tests/core/support/example_files.h"
 #include "ui/canvas/drawing_accessible.h"
 #include "ui/levers/levers_bar.h"
 #include "ui/levers/levers_view.h"
+#include "ui/levers/point_offers.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -336,6 +339,116 @@ class TestLeversView : public QObject {
     QVERIFY(driver.view.displayList().marks.empty() && driver.view.emptyText().contains("answer"));
     driver.view.setAnswersOpen(true);
     QVERIFY(driver.says("0.719") && driver.view.emptyText().isEmpty());
+  }
+
+  /// A lesson's step reads the drawing: it is there without numbers, and nothing of it can be moved.
+  void aStepReadsTheLeversWithoutNumbers() {
+    LeversDriver driver(engaged("eight-speed-gearbox", 4));
+    driver.view.setRead(true);
+    driver.view.setAnswersOpen(false);
+    QVERIFY(driver.view.emptyText().isEmpty());
+    QCOMPARE(driver.view.spots().size(), std::size_t(12));
+    QVERIFY(!driver.says("0.719") && !driver.says("−0.427"));
+    const LeverSpot input = driver.spot(0, 2);
+    driver.press(driver.onScreen(input.tip));
+    driver.move(driver.onScreen(input.tip) + QPoint(40, 0));
+    driver.release(driver.onScreen(input.tip) + QPoint(40, 0));
+    driver.click(driver.onScreen(driver.spot(0, 4).center));
+    QVERIFY(!driver.view.offers().isVisible());
+    QCOMPARE(driver.steps(), 0);
+    driver.choose(LeversPage::nomogram);
+    QVERIFY(driver.view.emptyText().isEmpty());
+    QCOMPARE(driver.marksOf(ColorRole::halo), 0);  // no state stands out
+    driver.view.setAnswersOpen(true);
+    QVERIFY(driver.marksOf(ColorRole::halo) > 0);
+    driver.choose(LeversPage::levers);
+    QVERIFY(driver.says("0.719"));
+    driver.view.setRead(false);
+    driver.view.setAnswersOpen(false);
+    QVERIFY(driver.view.spots().empty());
+  }
+
+  void aClickedPointOffersToHoldAndToLock() {
+    LeversDriver driver(example("simpson"));
+    driver.click(driver.onScreen(driver.spot(0, 4).center));
+    PointOffers& offers = driver.view.offers();
+    QVERIFY(offers.isVisible());
+    QVERIFY(driver.view.viewport()->rect().contains(offers.geometry()));
+    QCOMPARE(offers.hold().text(), LeversView::tr("Hold (B)"));
+    offers.hold().click();
+    QVERIFY(driver.isEngaged("B2") && !offers.isVisible());
+    QCOMPARE(driver.steps(), 1);
+    driver.wait();
+    driver.click(driver.onScreen(driver.spot(0, 4).center));
+    QCOMPARE(offers.hold().text(), LeversView::tr("Let go (B)"));
+    offers.hold().click();
+    QVERIFY(!driver.isEngaged("B2"));
+    driver.wait();
+    // Locked with the next point that is clicked: the clutch of both is there already.
+    driver.click(driver.onScreen(driver.spot(0, 1).center));
+    offers.lockWith().click();
+    QVERIFY(!offers.isVisible());
+    driver.click(driver.onScreen(driver.spot(0, 2).center));
+    QVERIFY(driver.isEngaged("C"));
+    driver.wait();
+    const int steps = driver.steps();
+    driver.click(driver.onScreen(driver.spot(0, 4).center));
+    offers.lockWith().click();
+    driver.key(Qt::Key_Escape);
+    driver.click(driver.onScreen(driver.spot(0, 3).center));
+    QCOMPARE(driver.steps(), steps);
+    driver.key(Qt::Key_Escape);
+    QVERIFY(!offers.isVisible());
+  }
+
+  /// The points move to one line, and stay there.
+  void engagingABrakeProjectsThePlan() {
+    LeversDriver driver(example("simpson"));
+    driver.choose(LeversPage::plan);
+    QCOMPARE(driver.view.planSpots().size(), std::size_t(5));
+    const auto placeOf = [&](int label) {
+      for (const PointPlanSheet::Spot& spot : driver.view.planSpots()) {
+        if (std::find(spot.links.begin(), spot.links.end(), LinkOrdinal(label)) != spot.links.end())
+          return spot.center;
+      }
+      qFatal("no such point");
+    };
+    driver.click(driver.onScreen(placeOf(4)));
+    QVERIFY(driver.view.offers().isVisible());
+    driver.view.offers().hold().click();
+    QVERIFY(driver.isEngaged("B2"));
+    QTRY_VERIFY(driver.view.isUpToDate() && driver.view.planSpots().size() == 4);
+    QCOMPARE(placeOf(4), placeOf(0));
+    const double output = distance(placeOf(3), placeOf(0));
+    QVERIFY(std::abs(distance(placeOf(2), placeOf(0)) / output - 61.0 / 25) < 1e-9);
+    driver.document.undoStack().undo();
+    QTRY_COMPARE(driver.view.planSpots().size(), std::size_t(5));
+  }
+
+  void theSpeedPlanIsAPage() {
+    LeversDriver driver(example("planetary-ring-held"));
+    driver.choose(LeversPage::speedPlan);
+    QVERIFY(driver.view.emptyText().isEmpty());
+    QVERIFY(driver.says("0.286") && driver.says("mm/s"));
+    driver.document.replace(example("robot"), "robot.geargraph");
+    driver.analyze();
+    driver.wait();
+    QVERIFY(driver.view.emptyText().contains("parallel"));
+  }
+
+  void theStateThatIsLookedAtIsTold() {
+    LeversDriver driver(example("simpson"));
+    driver.choose(LeversPage::nomogram);
+    const QSignalSpy told(&driver.view, &LeversView::stateLookedAtChanged);
+    const NomogramSheet::Tag tag = driver.view.nomogram().tags.front();
+    driver.move(driver.onScreen(tag.box.center), Qt::NoButton);
+    QCOMPARE(told.size(), 1);
+    QCOMPARE(told.back().front().toInt(), tag.states.front());
+    driver.view.lookAtState(2);
+    QCOMPARE(driver.view.stateLookedAt(), std::optional(2));
+    driver.view.lookAtState(-1);
+    QVERIFY(!driver.view.stateLookedAt());
+    QCOMPARE(told.back().front().toInt(), -1);
   }
 
   void ahiddenViewDrawsWhenItIsShown() {

@@ -180,6 +180,97 @@ class TestTeethSearch : public QObject {
     QCOMPARE(answer.found.counts.accepted, within);
   }
 
+  /// The going train of a clock with two outputs that share its first pair, from a drawer of wheels: as
+  /// counted by six plain loops.
+  void aClockWithTwoOutputs() {
+    SetSketch set("clock");
+    const int barrel = set.link(0, "a", "barrel");
+    const int minutes = set.link(0, "b", "minutes");
+    const int third = set.link(0, "c", "third");
+    const int seconds = set.link(0, "d", "seconds");
+    set.mesh(barrel, minutes, 80, 10, MeshKind::external);
+    set.mesh(minutes, third, 75, 12, MeshKind::external);
+    set.mesh(third, seconds, 72, 8, MeshKind::external);
+    const TeethAnswer answer = answerFor(
+        std::move(set).build(),
+        R"({"ratios": [{"drive": "1", "driven": "2", "ratio": "-1/8"}, {"drive": "1", "driven": "4", "ratio": "-1/480"}],
+            "fewest": 1, "wheels": [8, 10, 12, 60, 64, 72, 75, 80]})",
+        1000);
+    QVERIFY(answer.found.isComplete);
+    const std::vector<std::int64_t> stock{8, 10, 12, 60, 64, 72, 75, 80};
+    std::int64_t expected = 0;
+    for (const std::int64_t a : stock) {
+      for (const std::int64_t b : stock) {
+        if (a != 8 * b) continue;
+        for (const std::int64_t c : stock) {
+          for (const std::int64_t d : stock) {
+            for (const std::int64_t e : stock) {
+              for (const std::int64_t f : stock) expected += c * e == 60 * d * f ? 1 : 0;
+            }
+          }
+        }
+      }
+    }
+    QVERIFY(expected > 2);
+    QCOMPARE(answer.found.counts.accepted, expected);
+    for (const TeethChoice& choice : answer.choices)
+      QCOMPARE(choice.found.ratios, (std::vector<Rational>{Rational(-1, 8), Rational(-1, 480)}));
+  }
+
+  /// A published gearbox whose teeth, 33 : 75 in both sets, miss its published ratios 2.45 and 1.45: which
+  /// teeth were meant?
+  void statedTeethThatMissTheStatedRatios() {
+    const Mechanism drawn = *simpsonSet({33, 21}, 1);
+    const std::string ratios =
+        R"({"ratios": [{"state": "1", "ratio": "2.45"}, {"state": "2", "ratio": "1.45"}], "fewest": 17, "most": 60, "mostRing": 90, "planets": 3)";
+    std::string kept;
+    const auto problem = teethProblemOf(drawn, wishFor(drawn, ratios + "}"));
+    for (const SearchedWheel& wheel : problem->wheels)
+      kept += (kept.empty() ? "\"" : ", \"") + wheel.name + '"';
+    const TeethAnswer stated = answerFor(drawn, ratios + ", \"kept\": [" + kept + "]}");
+    QCOMPARE(stated.found.counts.accepted, std::int64_t{0});
+    QVERIFY(!stated.conflicts.empty());
+    const TeethAnswer meant = answerFor(drawn, ratios + "}");
+    QVERIFY(meant.found.isComplete && meant.found.counts.accepted > 0);
+    for (const TeethChoice& choice : meant.choices) {
+      QVERIFY(Rational(2445, 1000) <= choice.found.ratios[0] &&
+              choice.found.ratios[0] < Rational(2455, 1000));
+      QVERIFY(Rational(1445, 1000) <= choice.found.ratios[1] &&
+              choice.found.ratios[1] < Rational(1455, 1000));
+      QCOMPARE(*solvedRatio(*meant.problem, 0, choice.found.teeth), choice.found.ratios[0]);
+    }
+  }
+
+  /// Sun over carrier is 1 + R/S, ring over carrier 1 + S/R: both follow from one quotient.
+  void conflictingWishesAreNamed() {
+    const Mechanism drawn = planetarySet({24, 18}, 1);
+    const auto conflictsOf = [&](const std::string& first, const std::string& second,
+                                 const std::string& third) {
+      std::string wish = R"({"ratios": [{"drive": "1", "driven": "3", "held": ["2"], "ratio": "FIRST"},
+                                        {"drive": "2", "driven": "3", "held": ["1"], "ratio": "SECOND"},
+                                        {"drive": "3", "driven": "1", "held": ["2"], "ratio": "THIRD"}],
+                             "most": 60})";
+      for (const auto& [place, ratio] :
+           {std::pair("FIRST", first), std::pair("SECOND", second), std::pair("THIRD", third)})
+        wish.replace(wish.find(place), std::string(place).size(), ratio);
+      const TeethAnswer answer = answerFor(drawn, wish);
+      if (answer.found.counts.accepted > 0 && !answer.conflicts.empty())
+        qFatal("conflicts of what was found");
+      return answer.conflicts;
+    };
+    using Conflicts = std::vector<std::vector<int>>;
+    QCOMPARE(conflictsOf("4", "4/3", "1/4"), Conflicts{});
+    QCOMPARE(conflictsOf("4", "2", "1/4"), (Conflicts{{1}}));  // S = R is no ring
+    QCOMPARE(conflictsOf("4", "3/2", "1/4"), (Conflicts{{0, 1}, {1, 2}}));
+    const TeethAnswer answer = answerFor(
+        drawn,
+        R"({"ratios": [{"drive": "1", "driven": "3", "held": ["2"], "ratio": "4"}, {"drive": "2", "driven": "3", "held": ["1"], "ratio": "3/2"}], "most": 60})");
+    QCOMPARE(
+        conflictSentences(answer),
+        (std::vector<std::string>{"No choice within the limits has both ratio 1 (4) and ratio 2 (3/2)."}));
+    QVERIFY(teethJson(answer).find("\"conflicts\": [[0, 1]]") != std::string::npos);
+  }
+
   void certificatesHold() {
     for (
         const auto& [train, wish] :

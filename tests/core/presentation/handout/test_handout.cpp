@@ -15,6 +15,7 @@
 #include "core/presentation/handout/handout.h"
 #include "core/presentation/handout/page_scene.h"
 #include "core/presentation/handout/script_texts.h"
+#include "core/presentation/results/levers_json.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/train_stage/train_stage.h"
 #include "core/teaching/exercises/variant_source.h"
@@ -236,6 +237,37 @@ class TestHandout : public QObject {
              (QJsonArray{"turningJoints/10", -1,
                          QString::fromUtf8("Against joint 10, from link 1 to the ground: \u22121.")}));
     QCOMPARE(mesh["lines"].toArray().last().toString(), "Its cycle runs along 9 and against 10 and 12.");
+  }
+
+  /// The script adds up the rates of the terms; the nomogram has a line for each state that runs.
+  void leversFollowTheRatesOfTheirTerms() {
+    const Mechanism simpson = test::example("simpson");
+    const QString page = pageOf(simpson);
+    QVERIFY(page.contains("<figure data-name=\"Levers\"") && page.contains("<figure data-name=\"Nomogram\""));
+    const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(simpson));
+    const LeverPicture picture = *leverPictureOf(*snapshot);
+    const QJsonObject data = dataOf(page);
+    int points = 0;
+    for (const QJsonValue& bar : data["levers"].toArray()) {
+      for (const QJsonValue& point : bar.toArray()) {
+        Rational speed;
+        for (const QJsonValue& term : point["terms"].toArray())
+          speed += Rational(term[1].toInt()) *
+                   snapshot->solved->exact->rates[static_cast<JointOrdinal>(term[0].toInt())];
+        const QString id = point["element"].toString().mid(6);
+        for (const LinkOrdinal link : picture.plan.links) {
+          if (QString::fromStdString(simpson.links[link].id.text()) != id) continue;
+          QVERIFY(speed == picture.speeds[static_cast<std::size_t>(picture.plan.positionOf(link))]);
+          ++points;
+        }
+      }
+    }
+    QCOMPARE(points, 4);
+    std::set<int> states;
+    for (const QJsonValue& line : data["nomogram"]["lines"].toArray()) states.insert(line[0].toInt());
+    QCOMPARE(states, (std::set<int>{0, 1, 2, 3}));
+    QVERIFY(!pageOf(test::example("planetary-ring-held")).contains("data-name=\"Nomogram\""));
+    QVERIFY(!pageOf(test::example("robot")).contains("data-name=\"Levers\""));
   }
 
   /// Edge by edge a walk is closed, and its signs are the row of C.

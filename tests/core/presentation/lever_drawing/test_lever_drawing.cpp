@@ -1,5 +1,6 @@
 #include <QtTest>
 #include <algorithm>
+#include <map>
 
 #include "core/presentation/drawing/hit_test.h"
 #include "core/presentation/lever_drawing/bar_lengths.h"
@@ -8,6 +9,8 @@
 #include "core/presentation/lever_drawing/lever_layout.h"
 #include "core/presentation/lever_drawing/lever_words.h"
 #include "core/presentation/lever_drawing/nomogram.h"
+#include "core/presentation/lever_drawing/point_plan.h"
+#include "core/presentation/lever_drawing/speed_plan_drawing.h"
 #include "core/presentation/results/levers_json.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/theory/states/state_edits.h"
@@ -209,6 +212,89 @@ class TestLeverDrawing : public QObject {
     const DisplayList list = drawingNamed("levers")->draw(*snapshot, nullptr, {});
     for (const char* const value : {"0.719", "0.422", "2.156", "0.778"}) QVERIFY2(says(list, value), value);
     QVERIFY(says(list, "input") && says(list, "output"));
+  }
+
+  /// By itself: the section beside it keeps its texts apart as ever.
+  void noTextOverlapsInAnySpeedPlan() {
+    int drawn = 0;
+    for (const std::string& name : exampleNames()) {
+      for (const auto& [title, snapshot] : snapshotsOf(name)) {
+        const SpeedPlan plan = *speedPlanFor(*snapshot);
+        if (!whyNoSpeedPlan(plan).empty()) continue;
+        const DisplayList list = speedPlanDrawing(*snapshot->mechanism, snapshot->kinematics->placement(),
+                                                  plan, SchematicGeometry(), {});
+        QVERIFY2(overlapsIn(list).empty(), (title + ": " + overlapsIn(list)).c_str());
+        ++drawn;
+      }
+    }
+    QVERIFY(drawn > 10);
+  }
+
+  void theSpeedPlanStandsBesideTheSection() {
+    const SnapshotPtr snapshot = liveOf(example("planetary-ring-held"));
+    const DisplayList list = drawingNamed("kutzbach")->draw(*snapshot, nullptr, {});
+    for (const char* const words : {"0.286", "peripheral velocity in mm/s", "its slope is the speed"})
+      QVERIFY2(says(list, words), words);
+    const Extent section = extentOf(drawingNamed("schematic")->draw(*snapshot, nullptr, {}));
+    QVERIFY(extentOf(list).right() > section.right() + 100);
+    const auto isPickableBeside = [&](const ElementId& element) {
+      return std::any_of(list.outlines.begin(), list.outlines.end(), [&](const Outline& outline) {
+        return outline.element == element && extentOf(outline.shape).left() > section.right();
+      });
+    };
+    for (const Link& link : snapshot->mechanism->links)
+      QVERIFY2(isPickableBeside(link.id), link.id.text().c_str());
+    for (const GearMesh& mesh : snapshot->mechanism->gearMeshes) QVERIFY(isPickableBeside(mesh.id));
+    // A dotted line leads from the teeth in the section to where the lines cross, at one height.
+    int leaders = 0;
+    for (const Mark& mark : list.marks) {
+      const auto* const stroke = std::get_if<Stroke>(&mark.what);
+      const auto* const line = stroke != nullptr ? std::get_if<Polyline>(&stroke->shape) : nullptr;
+      if (line == nullptr || stroke->dash != Dash::dotted || line->points.front().x < section.right())
+        continue;
+      QCOMPARE(line->points.front().y, line->points.back().y);
+      ++leaders;
+    }
+    QCOMPARE(leaders, 2);
+    QVERIFY(says(drawingNamed("kutzbach")->draw(*liveOf(example("robot")), nullptr, {}), "parallel"));
+    QVERIFY(says(drawingNamed("kutzbach")->draw(*liveOf(example("ravigneaux")), nullptr, {}), "Mesh 14"));
+  }
+
+  /// Brake B2 of the Simpson train holds link 4: on the line that is left it is where the ground is, and the
+  /// arms give the ratio.
+  void anEngagedBrakeProjectsThePlane() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("simpson"), 0));
+    const LeverPlan plan = *pointPlanOf(*snapshot);
+    const auto coupling = projectingCoupling(*snapshot->mechanism, plan);
+    QVERIFY(coupling.has_value());
+    QCOMPARE(snapshot->mechanism->couplings[*coupling].id, CouplingId("B2"));
+    const auto sheetAt = [&](double progress) {
+      return pointPlanSheet(*snapshot->mechanism, plan, PlanProjection{*coupling, progress}, {});
+    };
+    const PointPlanSheet left = sheetAt(1);
+    std::map<int, SheetPoint> places;
+    for (const PointPlanSheet::Spot& spot : left.spots) {
+      for (const LinkOrdinal link : spot.links) places[int{link}] = spot.center;
+    }
+    QCOMPARE(places.size(), std::size_t{5});
+    QCOMPARE(places.at(0), places.at(4));
+    const double output = distance(places.at(3), places.at(0));
+    QVERIFY(std::abs(distance(places.at(2), places.at(0)) / output - 61.0 / 25) < 1e-9);
+    QVERIFY(!projectingCoupling(example("simpson"), *pointPlanOf(*liveOf(example("simpson")))));
+    QCOMPARE(textOf(left.drawing), textOf(drawingNamed("plan")->draw(*snapshot, nullptr, {})));
+    QVERIFY(overlapsIn(left.drawing).empty());
+    QVERIFY(textOf(sheetAt(0.5).drawing) != textOf(left.drawing));
+  }
+
+  void numbersAreLeftOutWhereASheetIsToBeRead() {
+    const SnapshotPtr snapshot = liveOf(*withStateEngaged(example("eight-speed-gearbox"), 4));
+    LeverLook look;
+    look.numbers = false;
+    const LeverSheet sheet =
+        leverSheet(*snapshot->mechanism, *leverPictureOf(*snapshot), layoutOf(snapshot), {}, look);
+    QVERIFY(sheet.speedScale > 0);
+    for (const char* const value : {"0.719", "0.422", "2.156", "0.778"})
+      QVERIFY2(!says(sheet.drawing, value), value);
   }
 
   void nomogramNamesEveryStateThatHasARatio() {

@@ -15,7 +15,7 @@ using test::reportOf;
 
 QByteArray pdfOf(const Mechanism& mechanism) {
   ReportLists drawings;
-  drawings.digraph = digraphDrawing(mechanism, completedPositions(mechanism), {});
+  drawings[ReportDrawing::digraph] = digraphDrawing(mechanism, completedPositions(mechanism), {});
   return QByteArray::fromStdString(reportPdf(reportOf(mechanism), drawings).value());
 }
 

@@ -118,6 +118,37 @@ class ReportTest : public QObject {
     QVERIFY(page.find(">Substitution</text>") != std::string::npos);
   }
 
+  /// Places and speeds of the points, the drawings where the form has them; nothing without a lever.
+  void leversAreATableAndTwoDrawings() {
+    const auto levers = [](const Report& report) {
+      std::vector<std::vector<std::string>> rows;
+      bool isInside = false;
+      for (const ReportBlock& block : report.blocks) {
+        if (const auto* heading = std::get_if<ReportHeading>(&block))
+          isInside = heading->level == 1 && heading->text == "Levers";
+        const auto* table = std::get_if<ReportTable>(&block);
+        if (!isInside || table == nullptr) continue;
+        for (const auto& row : table->rows) {
+          std::vector<std::string>& words = rows.emplace_back();
+          for (const ReportWords& cell : row) words.push_back(cell.front().text);
+        }
+      }
+      return rows;
+    };
+    const Report held = reportOf(test::example("planetary-ring-held"));
+    QCOMPARE(levers(held), (std::vector<std::vector<std::string>>{
+                               {"0", "0", "0"}, {"2", "\\frac{2}{7}", "\\frac{2}{7}"}, {"1", "1", "1"}}));
+    QVERIFY(levers(reportOf(test::example("robot"))).empty());
+    const Report simpson = reportOf(test::example("simpson"));
+    QCOMPARE(levers(simpson).size(), std::size_t{4});
+    ReportDrawings drawings;
+    drawings[ReportDrawing::levers] = "<svg>bars</svg>";
+    drawings[ReportDrawing::nomogram] = "<svg>states</svg>";
+    const std::string page = reportHtml(simpson, drawings);
+    QVERIFY(page.find("bars") < page.find("states") && page.find("states") != std::string::npos);
+    QVERIFY(reportHtml(held, drawings).find("states") == std::string::npos);  // no states, no nomogram
+  }
+
   // The paper's own text, with its own numbers.
   void theRobotIsThePaper() {
     const Report report = reportOf(test::example("robot"));

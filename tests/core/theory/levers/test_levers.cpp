@@ -1,8 +1,10 @@
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 
 #include "core/theory/levers/lever_motion.h"
 #include "core/theory/levers/lever_plan.h"
+#include "core/theory/levers/speed_plan.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/state_solution.h"
@@ -277,6 +279,68 @@ class TestLevers : public QObject {
       // w_in / w_out = (x_in - x_ground) / (x_out - x_ground) on the line that is left.
       QVERIFY(plan->points[1][0] / plan->points[8][0] == *state.ratio);
     }
+  }
+
+  void linesOfTheSpeedPlanMeetAtTeethAndCarriedAxes() {
+    int meshes = 0;
+    int carried = 0;
+    for (const std::string& name : solvableExamples()) {
+      const Worked worked(example(name));
+      if (!worked.analysis.solution) continue;
+      const auto exact = solveExact(worked.model, worked.analysis.choice.joints, worked.analysis.speeds);
+      const SpeedPlan plan = speedPlanOf(worked.placement, exact->rates);
+      if (plan.absence != SpeedPlanAbsence::none) continue;
+      double size = 0;
+      for (const SpeedPlan::Line& line : plan.lines)
+        size = std::max({size, std::abs(line.velocityAt(line.low)), std::abs(line.velocityAt(line.high))});
+      const auto at = [&](LinkOrdinal link, double height) {
+        return plan.lines[static_cast<std::size_t>(int{link})].velocityAt(height);
+      };
+      QCOMPARE(plan.crossings.size() + plan.apart.size(), static_cast<std::size_t>(worked.model.c()));
+      for (const SpeedPlan::Crossing& crossing : plan.crossings) {
+        const MeshGeometry& mesh = *worked.placement.meshes[crossing.mesh];
+        const double apart = at(mesh.tail, crossing.height) - at(mesh.head, crossing.height);
+        QVERIFY2(std::abs(apart) <= 1e-9 * size, name.c_str());
+        ++meshes;
+      }
+      for (const ClassOrdinal axis : plan.axes.ordinals()) {
+        const LinkOrdinal carrier = worked.placement.classes->classes[axis].rootLink;
+        const double apart = at(carrier, plan.axes[axis].height) - plan.axes[axis].velocity;
+        QVERIFY2(std::abs(apart) <= 1e-9 * size, name.c_str());
+        carried += carrier != 0 ? 1 : 0;
+      }
+    }
+    QVERIFY(meshes > 20 && carried > 10);
+  }
+
+  void speedPlanOfASetWithItsRingHeld() {
+    const Worked worked(example("planetary-ring-held"));
+    const auto exact = solveExact(worked.model, worked.analysis.choice.joints, worked.analysis.speeds);
+    const SpeedPlan plan = speedPlanOf(worked.placement, exact->rates);
+    QCOMPARE(plan.crossings.size(), std::size_t{2});
+    QVERIFY(std::abs(plan.crossings[0].height / plan.crossings[1].height - 24.0 / 60) < 1e-12);
+    QVERIFY(std::abs(plan.crossings[1].velocity) < 1e-12);  // the ring is held
+    QVERIFY(plan.lines[0].speed.isZero());
+    QVERIFY(plan.lines[1].speed == Rational(1));
+    QVERIFY(plan.lines[2].speed == Rational(2, 7));
+    QVERIFY(plan.lines[3].speed == Rational(2, 7) * (Rational(1) - Rational(60, 18)));
+  }
+
+  void planetsThatMeshBesideTheRadiusAreToldApart() {
+    const Worked worked(example("ravigneaux"));
+    const auto exact = solveExact(worked.model, worked.analysis.choice.joints, worked.analysis.speeds);
+    const SpeedPlan plan = speedPlanOf(worked.placement, exact->rates);
+    QCOMPARE(plan.apart, (std::vector<MeshOrdinal>{1}));
+    QCOMPARE(plan.crossings.size(), std::size_t{3});
+  }
+
+  void speedPlansThatAreAbsent() {
+    const Worked robot(example("robot"));
+    QVERIFY(speedPlanOf(robot.placement, std::vector<Rational>(static_cast<std::size_t>(robot.model.t())))
+                .absence == SpeedPlanAbsence::directions);
+    const Worked pair(example("spur-pair"));
+    QVERIFY(speedPlanOf(pair.placement, {}).absence == SpeedPlanAbsence::noMotion);
+    QVERIFY(speedPlanOf(placementOf(example("robot-to-mend")), {}).absence == SpeedPlanAbsence::unfinished);
   }
 
   void stoppingEndsThePlan() {
