@@ -11,7 +11,7 @@ namespace geargraph::inline designer {
 
 /// What a gearbox of the list may be asked for.
 enum class HitCondition { error, circulating, drawable, elements, brakes, clutches, efficiency };
-constexpr std::array kHitConditions = {
+inline constexpr std::array kHitConditions = {
     HitCondition::error,  HitCondition::circulating, HitCondition::drawable,  HitCondition::elements,
     HitCondition::brakes, HitCondition::clutches,    HitCondition::efficiency};
 

@@ -30,7 +30,7 @@ namespace geargraph::inline designer {
 
 /// What gearboxes are compared by.
 enum class HitMeasure { error, efficiency, circulating, speed, torque, slip, spread, ring };
-constexpr std::array kHitMeasures = {HitMeasure::error,  HitMeasure::efficiency, HitMeasure::circulating,
+inline constexpr std::array kHitMeasures = {HitMeasure::error,  HitMeasure::efficiency, HitMeasure::circulating,
                                      HitMeasure::speed,  HitMeasure::torque,     HitMeasure::slip,
                                      HitMeasure::spread, HitMeasure::ring};
 
