@@ -1,5 +1,6 @@
 // The options of `geargraph-cli export`, in the order of its help.
 
+#include <algorithm>
 #include <array>
 
 #include "core/foundations/base/wording.h"
@@ -65,7 +66,8 @@ std::string headingOfGroup(std::string_view group) {
   }
   std::vector<std::string> forms;
   for (const Exporter* exporter : allExporters()) {
-    if (listsOption(*exporter, first)) forms.emplace_back(exporter->form);
+    const bool isNew = std::find(forms.begin(), forms.end(), exporter->form) == forms.end();
+    if (isNew && listsOption(*exporter, first)) forms.emplace_back(exporter->form);
   }
   return translated(group) + " (--to " + listed(forms, kAllNames, toTranslate("or")) + ')';
 }
