@@ -17916,6 +17916,8 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
         <translation>Keiner: keine ganzen Zähnezahlen in den Grenzen haben diese Übersetzungen. Ein Spielraum von 1 bis 3 oder weitere Grenzen können helfen.</translation>
+    </message>
+    <message>
         <source>ratio %1 (%2)</source>
         <translation>Übersetzung %1 (%2)</translation>
     </message>
@@ -18043,29 +18045,6 @@ Radpaare / Steg: %3</translation>
         <source>Engage the brake of this link, a new one where it has none</source>
         <translation>Die Bremse dieses Glieds schließen, eine neue, wo es keine hat</translation>
     </message>
-</context>
-<context>
-    <name>HelpPages</name>
-    <message>
-        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
-        <translation>Der Mechanismus, auf vier Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
-    </message>
-    <message>
-        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
-        <translation>Werkzeuge zum Zeichnen, Rückgängig und Wiederholen, die Bewegung und das Suchfeld.</translation>
-    </message>
-    <message>
-        <source>What has to be known about the file of this window.</source>
-        <translation>Was über die Datei dieses Fensters zu wissen ist.</translation>
-    </message>
-    <message>
-        <source>Begin a mechanism, or open a recent document or an example.</source>
-        <translation>Einen Mechanismus beginnen, oder ein zuletzt verwendetes Dokument oder ein Beispiel öffnen.</translation>
-    </message>
-    <message>
-        <source>What the tool expects next, and the counts of the mechanism.</source>
-        <translation>Was das Werkzeug als Nächstes erwartet, und die Zahlen des Mechanismus.</translation>
-    </message>
     <message>
         <source>The speeds of these joints do not determine those of the motors.</source>
         <translation>Die Geschwindigkeiten dieser Gelenke bestimmen die der Motoren nicht.</translation>
@@ -18121,6 +18100,37 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>Written as</source>
         <translation>Geschrieben als</translation>
+    </message>
+    <message>
+        <source>In the gearbox designer: search</source>
+        <translation>Im Getriebeentwurf: suchen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Strg+Eingabetaste</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>Der Mechanismus, auf vier Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
+    </message>
+    <message>
+        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
+        <translation>Werkzeuge zum Zeichnen, Rückgängig und Wiederholen, die Bewegung und das Suchfeld.</translation>
+    </message>
+    <message>
+        <source>What has to be known about the file of this window.</source>
+        <translation>Was über die Datei dieses Fensters zu wissen ist.</translation>
+    </message>
+    <message>
+        <source>Begin a mechanism, or open a recent document or an example.</source>
+        <translation>Einen Mechanismus beginnen, oder ein zuletzt verwendetes Dokument oder ein Beispiel öffnen.</translation>
+    </message>
+    <message>
+        <source>What the tool expects next, and the counts of the mechanism.</source>
+        <translation>Was das Werkzeug als Nächstes erwartet, und die Zahlen des Mechanismus.</translation>
     </message>
 </context>
 </TS>

@@ -17916,6 +17916,8 @@ pares / portasatélites: %3</translation>
     <message>
         <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
         <translation>Ninguno: ningún número entero de dientes dentro de los límites da estas relaciones. Puede ayudar una holgura de 1 a 3 o límites más amplios.</translation>
+    </message>
+    <message>
         <source>ratio %1 (%2)</source>
         <translation>la relación %1 (%2)</translation>
     </message>
@@ -18043,29 +18045,6 @@ pares / portasatélites: %3</translation>
         <source>Engage the brake of this link, a new one where it has none</source>
         <translation>Activar el freno de este eslabón, uno nuevo si no tiene</translation>
     </message>
-</context>
-<context>
-    <name>HelpPages</name>
-    <message>
-        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
-        <translation>El mecanismo dibujado de cuatro maneras; un clic en una pestaña elige una.</translation>
-    </message>
-    <message>
-        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
-        <translation>Herramientas de dibujo, deshacer y rehacer, el movimiento y el campo de búsqueda.</translation>
-    </message>
-    <message>
-        <source>What has to be known about the file of this window.</source>
-        <translation>Lo que hay que saber del archivo de esta ventana.</translation>
-    </message>
-    <message>
-        <source>Begin a mechanism, or open a recent document or an example.</source>
-        <translation>Comience un mecanismo, o abra un documento reciente o un ejemplo.</translation>
-    </message>
-    <message>
-        <source>What the tool expects next, and the counts of the mechanism.</source>
-        <translation>Lo que la herramienta espera a continuación, y los números del mecanismo.</translation>
-    </message>
     <message>
         <source>The speeds of these joints do not determine those of the motors.</source>
         <translation>Las velocidades de estas articulaciones no determinan las de los motores.</translation>
@@ -18121,6 +18100,37 @@ pares / portasatélites: %3</translation>
     <message>
         <source>Written as</source>
         <translation>Escrito como</translation>
+    </message>
+    <message>
+        <source>In the gearbox designer: search</source>
+        <translation>En el diseñador de cajas: buscar</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Ctrl+Intro</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>El mecanismo dibujado de cuatro maneras; un clic en una pestaña elige una.</translation>
+    </message>
+    <message>
+        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
+        <translation>Herramientas de dibujo, deshacer y rehacer, el movimiento y el campo de búsqueda.</translation>
+    </message>
+    <message>
+        <source>What has to be known about the file of this window.</source>
+        <translation>Lo que hay que saber del archivo de esta ventana.</translation>
+    </message>
+    <message>
+        <source>Begin a mechanism, or open a recent document or an example.</source>
+        <translation>Comience un mecanismo, o abra un documento reciente o un ejemplo.</translation>
+    </message>
+    <message>
+        <source>What the tool expects next, and the counts of the mechanism.</source>
+        <translation>Lo que la herramienta espera a continuación, y los números del mecanismo.</translation>
     </message>
 </context>
 </TS>

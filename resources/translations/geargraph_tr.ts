@@ -17915,6 +17915,8 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>None: no whole teeth within the limits have these ratios. A slack of 1 to 3, or wider limits, may help.</source>
         <translation>Yok: sınırlar içinde bu oranlara sahip tam diş sayısı yok. 1 ile 3 arası bir pay veya daha geniş sınırlar yardımcı olabilir.</translation>
+    </message>
+    <message>
         <source>ratio %1 (%2)</source>
         <translation>oran %1 (%2)</translation>
     </message>
@@ -18042,29 +18044,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>Engage the brake of this link, a new one where it has none</source>
         <translation>Bu uzvun frenini devreye al, yoksa yenisini ekle</translation>
     </message>
-</context>
-<context>
-    <name>HelpPages</name>
-    <message>
-        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
-        <translation>Dört biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
-    </message>
-    <message>
-        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
-        <translation>Çizim araçları, geri al ve yinele, hareket ve arama alanı.</translation>
-    </message>
-    <message>
-        <source>What has to be known about the file of this window.</source>
-        <translation>Bu pencerenin dosyası hakkında bilinmesi gerekenler.</translation>
-    </message>
-    <message>
-        <source>Begin a mechanism, or open a recent document or an example.</source>
-        <translation>Bir mekanizmaya başlayın ya da son belgelerden veya örneklerden birini açın.</translation>
-    </message>
-    <message>
-        <source>What the tool expects next, and the counts of the mechanism.</source>
-        <translation>Aracın sırada ne beklediği ve mekanizmanın sayıları.</translation>
-    </message>
     <message>
         <source>The speeds of these joints do not determine those of the motors.</source>
         <translation>Bu eklemlerin hızları motorların hızlarını belirlemiyor.</translation>
@@ -18120,6 +18099,37 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>Written as</source>
         <translation>Yazılış biçimi</translation>
+    </message>
+    <message>
+        <source>In the gearbox designer: search</source>
+        <translation>Dişli kutusu tasarımında: ara</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Ctrl+Return</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>The mechanism drawn in four ways; a click on a tab chooses one.</source>
+        <translation>Dört biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
+    </message>
+    <message>
+        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
+        <translation>Çizim araçları, geri al ve yinele, hareket ve arama alanı.</translation>
+    </message>
+    <message>
+        <source>What has to be known about the file of this window.</source>
+        <translation>Bu pencerenin dosyası hakkında bilinmesi gerekenler.</translation>
+    </message>
+    <message>
+        <source>Begin a mechanism, or open a recent document or an example.</source>
+        <translation>Bir mekanizmaya başlayın ya da son belgelerden veya örneklerden birini açın.</translation>
+    </message>
+    <message>
+        <source>What the tool expects next, and the counts of the mechanism.</source>
+        <translation>Aracın sırada ne beklediği ve mekanizmanın sayıları.</translation>
     </message>
 </context>
 </TS>

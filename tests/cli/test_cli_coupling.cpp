@@ -83,7 +83,8 @@ class TestCliCoupling : public QObject {
     QVERIFY(fractionsOf(json["jointToMotorTorque"]) == transposeOf(a));
     QVERIFY(fractionsOf(json["motorToJointTorque"]) == transposeOf(inverse));
     const auto sum = [&](const char* rates, const char* torques) {
-      const FractionRows w = fractionsOf({json["test"][rates]}), m = fractionsOf({json["test"][torques]});
+      const FractionRows w = fractionsOf(nlohmann::json::array({json["test"][rates]})),
+                         m = fractionsOf(nlohmann::json::array({json["test"][torques]}));
       return productOf(w, transposeOf(m)).front().front();
     };
     QVERIFY(sum("motorRates", "motorTorques") == sum("jointRates", "jointTorques"));
@@ -133,9 +134,16 @@ class TestCliCoupling : public QObject {
     const Run pair =
         run({"export", coupledExample("spur-pair"), "--to", "coupling", "--as", "ros2", "-o", "-"});
     QVERIFY(pair.output.find("transmission_interface/SimpleTransmission") != std::string::npos);
-    // Both wheels of a differential drive its case and its pinion: the sum and the difference.
-    const Run shaft =
-        run({"export", coupledExample("bevel-differential"), "--to", "coupling", "--as", "ros2", "-o", "-"});
+    // Both axles of a differential drive its case and its pinion: the sum and the difference.
+    QFile example(coupledExample("bevel-differential"));
+    QVERIFY(example.open(QIODevice::ReadOnly));
+    auto axles = nlohmann::json::parse(example.readAll().toStdString());
+    axles["inputs"] = nlohmann::json::array({{{"joint", "7"}, {"speed", 1}}, {{"joint", "8"}, {"speed", 2}}});
+    QFile driven(file("axles.geargraph"));
+    QVERIFY(driven.open(QIODevice::WriteOnly));
+    driven.write(QByteArray::fromStdString(axles.dump()));
+    driven.close();
+    const Run shaft = run({"export", file("axles.geargraph"), "--to", "coupling", "--as", "ros2", "-o", "-"});
     QCOMPARE(shaft.status, 0);
     QVERIFY2(shaft.output.find("transmission_interface/DifferentialTransmission") != std::string::npos,
              shaft.output.c_str());
@@ -162,8 +170,8 @@ class TestCliCoupling : public QObject {
     QVERIFY(robot.open(QIODevice::ReadOnly));
     auto document = nlohmann::json::parse(robot.readAll().toStdString());
     for (auto& joint : document["turningJoints"]) {
-      if (joint["id"] == "10") joint["limits"] = {{"low", -10}, {"high", 30}};
-      if (joint["id"] == "12" || joint["id"] == "14") joint["limits"] = {{"low", -40}, {"high", 40}};
+      if (joint["id"] == "10") joint["limits"] = nlohmann::json::array({-10, 30});
+      if (joint["id"] == "12" || joint["id"] == "14") joint["limits"] = nlohmann::json::array({-40, 40});
     }
     QFile limited(file("limited.geargraph"));
     QVERIFY(limited.open(QIODevice::WriteOnly));

@@ -457,8 +457,9 @@ class TestServe : public QObject {
                method.dump().c_str());
     }
     QCOMPARE(methods,
-             (std::set<std::string>{"analyze", "close", "dynamics", "edit", "export", "help", "inputs",
-                                    "levers", "open", "pose", "states", "statics", "text", "validate"}));
+             (std::set<std::string>{"analyze", "atlas", "close", "dynamics", "edit", "export", "gearbox",
+                                    "hardware", "help", "identify", "inputs", "levers", "open", "pose",
+                                    "states", "statics", "teeth", "text", "validate"}));
     QFile file(QString(SOURCE) + "/resources/schema/geargraph.schema.json");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const json definitions = json::parse(file.readAll().constData()).at("$defs");

@@ -92,6 +92,8 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/presentation/report/mathml.cpp", "a format"},
     {"core/presentation/report/html_report.cpp", "a format"},
     {"core/presentation/simulators/mjcf.cpp", "a format, with comments for users of other programs"},
+    {"core/presentation/simulators/controller_coupling.cpp",
+     "formats, with comments for users of other programs"},
     {"core/presentation/simulators/modelica.cpp", "a format, with comments for users of other programs"},
     {"core/presentation/simulators/urdf.cpp", "a format, with comments for users of other programs"},
     {"core/presentation/typeset/", "commands of TeX"},

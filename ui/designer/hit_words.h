@@ -30,9 +30,9 @@ namespace geargraph::inline designer {
 
 /// What gearboxes are compared by.
 enum class HitMeasure { error, efficiency, circulating, speed, torque, slip, spread, ring };
-inline constexpr std::array kHitMeasures = {HitMeasure::error,  HitMeasure::efficiency, HitMeasure::circulating,
-                                     HitMeasure::speed,  HitMeasure::torque,     HitMeasure::slip,
-                                     HitMeasure::spread, HitMeasure::ring};
+inline constexpr std::array kHitMeasures = {
+    HitMeasure::error,  HitMeasure::efficiency, HitMeasure::circulating, HitMeasure::speed,
+    HitMeasure::torque, HitMeasure::slip,       HitMeasure::spread,      HitMeasure::ring};
 
 /// A measure of one gearbox: the worst of its gears.
 struct HitMeasured {

@@ -72,6 +72,7 @@ std::vector<Group> groupsOf(const QMenuBar& menus) {
                      {tr("The nearest element that way"), tr("Ctrl and arrow key")},
                      {tr("Along a lever, to the next one"), tr("Up and Down, Tab")},
                      {tr("As a click on the element"), tr("Return")},
+                     {tr("In the gearbox designer: search"), tr("Ctrl+Return")},
                      {tr("Give up, deselect, back to Select"), tr("Esc")}}});
   groups.push_back({tr("In the 3D view"),
                     {{tr("Play, pause"), tr("Space")},

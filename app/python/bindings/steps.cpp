@@ -87,7 +87,8 @@ py::tuple blockOf(const ReportBlock& block) {
       return py::make_tuple("list", items);
     }
     py::tuple operator()(const ReportFigure& figure) const {
-      constexpr std::array kDrawings = {"schematic", "digraph", "ttgraph"};
+      constexpr std::array kDrawings = {"schematic", "digraph", "ttgraph", "levers", "nomogram"};
+      static_assert(kDrawings.size() == kReportDrawingCount);
       return py::make_tuple("figure", kDrawings.at(static_cast<std::size_t>(figure.drawing)), figure.caption);
     }
     py::tuple operator()(const ReportCurves& curves) const {

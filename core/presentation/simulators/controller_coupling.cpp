@@ -98,9 +98,9 @@ std::string listedWords(const CouplingData& data, const std::vector<JointOrdinal
 
 class CouplingJsonWriter {
  public:
-  explicit CouplingJsonWriter(const CouplingData& data) : m_data(data), m_json(m_sink) {}
+  CouplingJsonWriter(const CouplingData& data, ByteSink& sink) : m_data(data), m_json(sink) {}
 
-  std::string write() {
+  void write() {
     m_json.beginObject();
     m_json.member("format", "geargraph-coupling");
     m_json.member("version", 1);
@@ -121,7 +121,6 @@ class CouplingJsonWriter {
     m_json.member("power", m_data.testPower.toString());
     m_json.endObject();
     m_json.endObject();
-    return m_sink.take() + '\n';
   }
 
  private:
@@ -229,7 +228,6 @@ class CouplingJsonWriter {
   }
 
   const CouplingData& m_data;
-  TextSink m_sink;
   JsonWriter m_json;
 };
 
@@ -414,7 +412,9 @@ class TransmissionWriter {
 
 std::string couplingJson(const Mechanism& mechanism, const JointCoupling& coupling) {
   const CouplingData data(mechanism, coupling);
-  return CouplingJsonWriter(data).write();
+  TextSink sink;
+  CouplingJsonWriter(data, sink).write();  // complete when the writer is gone
+  return sink.take();
 }
 
 std::string couplingHeader(const Mechanism& mechanism, const JointCoupling& coupling) {

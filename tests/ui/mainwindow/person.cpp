@@ -94,7 +94,7 @@ bool Person::clickCell(const QAbstractItemView& table, const QModelIndex& index)
 bool Person::raise(const QString& begin) {
   for (auto* tabs : m_window.findChildren<QTabBar*>()) {
     for (int i = 0; i < tabs->count(); ++i) {
-      if (!tabs->isVisible() || !tabs->tabText(i).startsWith(begin)) continue;
+      if (!tabs->isVisible() || !tabs->isTabVisible(i) || !tabs->tabText(i).startsWith(begin)) continue;
       ++gestures;
       QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
       return tabs->currentIndex() == i;
