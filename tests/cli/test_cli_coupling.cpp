@@ -191,7 +191,7 @@ class TestCliCoupling : public QObject {
       QCOMPARE(low.toString(), json["limits"]["motors"][motor]["low"].get<std::string>());
       QCOMPARE(high.toString(), json["limits"]["motors"][motor]["high"].get<std::string>());
     }
-    const auto open = parsed(run({"export", kRobotFile(), "--to", "coupling", "-o", "-"}));
+    const auto open = parsed(run({"export", coupledExample("spur-pair"), "--to", "coupling", "-o", "-"}));
     QVERIFY(open["limits"]["corners"].is_null() && open["limits"]["motors"][0]["low"].is_null());
   }
 
