@@ -228,13 +228,17 @@ class Exercise {
     this.write();
     this.fields[wrong.length ? wrong[0] : 0].focus();
   }
+  // May the fields be filled in?
+  setFilling(isOn) {
+    for (const control of this.node.querySelectorAll('[data-field] input, [data-field] select, [data-field] button, .keys button'))
+      control.disabled = !isOn;
+  }
   // As if nobody had been here.
   restart() {
     this.verdict = null;
     this.at = 0;
     this.fields.forEach((field, i) => field.set(this.state.texts[i]));
-    for (const control of this.node.querySelectorAll('[data-field] input, [data-field] select, [data-field] button, .keys button'))
-      control.disabled = false;
+    this.setFilling(true);
     this.told.className = 'verdict';
     this.told.replaceChildren();
     this.mark([]);
@@ -249,8 +253,7 @@ class Exercise {
     this.verdict = null;
     this.mark([]);
     this.fields.forEach((field, i) => field.set(question.solution[i]));
-    for (const control of this.node.querySelectorAll('[data-field] input, [data-field] select, [data-field] button, .keys button'))
-      control.disabled = true;
+    this.setFilling(false);
     this.told.className = 'verdict shown';
     this.told.replaceChildren(make('h4', {}, say('shown')), make('p', {}, question.rule));
     this.light([], 'wrong');
@@ -295,8 +298,8 @@ const showSheet = sheet => {
   const key = `geargraph/${sheet.sheet}/${sheet.variant}`;
   const old = kept(key);
   const isOld = i => Array.isArray(old?.states?.[i]?.texts) && old.states[i].texts.length === questions[i].fields.length;
-  const states = questions.map(({fields}, i) =>
-      (isOld(i) ? old.states[i] : {texts: fields.map(() => ''), points: 0, isChecked: false, isShown: false}));
+  const blank = i => ({texts: questions[i].fields.map(() => ''), points: 0, isChecked: false, isShown: false, isHinted: false});
+  const states = questions.map((_, i) => (isOld(i) ? old.states[i] : blank(i)));
   const student = make('input', {type: 'text', id: 'student', autocomplete: 'name'});
   student.value = old?.student || '';
   let lit = [];
@@ -356,12 +359,7 @@ const showSheet = sheet => {
   const startAgain = make('button', {type: 'button'}, say('startAgain'));
   startAgain.addEventListener('click', () => {
     if (!window.confirm(say('startAgainSure'))) return;
-    try {
-      localStorage.removeItem(key);
-    } catch (error) {
-      // Nothing was kept.
-    }
-    states.forEach((state, i) => Object.assign(state, {texts: questions[i].fields.map(() => ''), points: 0, isChecked: false, isShown: false, isHinted: false}));
+    states.forEach((state, i) => Object.assign(state, blank(i)));
     student.value = '';
     for (const exercise of exercises) exercise.restart();
     changed();

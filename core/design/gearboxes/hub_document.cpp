@@ -58,7 +58,7 @@ struct DrawnHubSet {
   int carrier = 0;
   std::vector<std::string> brakes;  ///< by sun
   std::string pass;                 ///< the clutch of ring and carrier; empty if no gear needs it
-  /// Of a set whose ring and carrier change places.
+  /// For a set in which ring and carrier are exchanged.
   std::string driverRing, driverCarrier, carrierDriven, ringDriven;
 };
 

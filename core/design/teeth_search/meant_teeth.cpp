@@ -22,7 +22,7 @@ void admitDrawnSums(TeethProblem& problem) {
   }
 }
 
-/// All sets of so many of the wheels that may differ, in order.
+/// All sets with this number of the wheels that may differ, in order.
 class WheelSets {
  public:
   WheelSets(const TeethProblem& problem, int count) : m_chosen(static_cast<std::size_t>(count)) {

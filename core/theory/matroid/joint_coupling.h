@@ -22,12 +22,6 @@ struct JointCoupling {
   std::vector<Rational> jointToMotor;  ///< A^-1, a row a motor, a column a joint
 
   [[nodiscard]] int size() const { return static_cast<int>(motors.size()); }
-  [[nodiscard]] const Rational& jointPerMotor(int joint, int motor) const {
-    return motorToJoint[static_cast<std::size_t>(joint * size() + motor)];
-  }
-  [[nodiscard]] const Rational& motorPerJoint(int motor, int joint) const {
-    return jointToMotor[static_cast<std::size_t>(motor * size() + joint)];
-  }
 };
 
 /// A row of the solution for any joint: how it turns with each input at 1 rad/s. An input's own is a row of
@@ -39,10 +33,10 @@ struct JointCoupling {
 [[nodiscard]] std::optional<JointCoupling> jointCoupling(const ExactSolution& solution,
                                                          std::vector<JointOrdinal> joints);
 
-/// The joints that a controller most likely means: those from the ground to a link, if they are as many as
-/// the inputs and determine them; of several such links the one with the fewest meshes, then the first. Where
-/// no link has such a chain, the first joints by label that are no inputs and determine the motors, and then
-/// inputs. std::nullopt where there are no inputs.
+/// The joints that a controller most likely means: those from the ground to a link, if none is an input, they
+/// are as many as the inputs and determine them; of several such links the one with the fewest meshes, then
+/// the first. Where no link has such a chain, the first joints by label that are no inputs and determine the
+/// motors, and then inputs. std::nullopt where there are no inputs.
 [[nodiscard]] std::optional<std::vector<JointOrdinal>> usualJoints(const ExactSolution& solution,
                                                                    const SpanningTree& tree,
                                                                    const Mechanism& mechanism);
