@@ -86,7 +86,7 @@ std::string textType(DocumentPart part, const MemberInfo& info) {
 std::string typeOf(DocumentPart part, const MemberInfo& info) {
   switch (info.value) {
     case MemberValue::constant:
-      return info.name == "format" ? R"("const": "geargraph")" : R"("const": 1)";
+      return info.name == "format" ? R"("const": "geargraph")" : R"("enum": [1, 2])";
     case MemberValue::text:
     case MemberValue::shortText:
       return textType(part, info);

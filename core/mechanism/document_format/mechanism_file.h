@@ -11,7 +11,9 @@ namespace geargraph::inline document_format {
 
 /// Bytes; larger files are rejected.
 constexpr std::size_t kLargestFile = std::size_t{64} * 1024 * 1024;
-constexpr int kFileVersion = 1;
+/// The newest version that is read; documents are written with the oldest one that they need
+/// (file_version.h).
+constexpr int kFileVersion = 2;
 
 /// Reads a document (`*.geargraph`). Accepts any bytes: the result is a well-formed mechanism, or every
 /// problem of the file in its order, with line and column: `syntax`; `format` or `version`; else all of

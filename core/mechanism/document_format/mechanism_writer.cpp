@@ -3,6 +3,7 @@
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/element_members.h"
+#include "core/mechanism/document_format/file_version.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/fields.h"
 
@@ -19,7 +20,7 @@ class MechanismWriter {
   void document(const Mechanism& mechanism) {
     m_json.beginObject();
     m_json.member("format", "geargraph");
-    m_json.member("version", kFileVersion);
+    m_json.member("version", fileVersionOf(mechanism));
     m_links = &mechanism.links;
     members(mechanism);
     unknown(mechanism.unknown);

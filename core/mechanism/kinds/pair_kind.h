@@ -56,6 +56,7 @@ struct PairKind {
   std::optional<SecondCentral> (*secondCentral)(int planetTeeth, int centralTeeth) = nullptr;
   /// The kind that a pair between the same axes can be made instead; none where there is none.
   std::optional<MeshKind> other;
+  int since = 1;  ///< version of the format whose documents have it
 };
 
 /// By kind, in the order in which they are offered.

@@ -573,7 +573,8 @@ struct Description<Mechanism> {
                                                  .isInGraphs = false},
                                       MemberInfo{.name = "version",
                                                  .value = MemberValue::constant,
-                                                 .meaning = "1",
+                                                 .meaning = "1, or 2 if a member or value since "
+                                                            "version 2 occurs",
                                                  .isNeeded = true,
                                                  .isInGraphs = false}};
   static constexpr auto fields = std::make_tuple(

@@ -8,6 +8,7 @@
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/solids/solid.h"
+#include "core/mechanism/document_format/file_version.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "core/mechanism/fitting/fitted_edits.h"
@@ -138,6 +139,15 @@ class KindsTest : public QObject {
     const Expected<Mechanism> read = readMechanism(document);
     QVERIFY(read);
     QVERIFY(*read == drawn);
+  }
+
+  /// An old program is not to take a new kind for a mistake, nor a new program to change an old document.
+  void aNewKindMakesTheDocumentNew() {
+    const ToyKind toy;
+    QCOMPARE(fileVersionOf(pairOf(toy.pair())), kFileVersion);
+    QCOMPARE(fileVersionOf(pairOf(kUsualKind)), 1);
+    QVERIFY(writeMechanism(pairOf(toy.pair())).find("\"version\": 2,") != std::string::npos);
+    QVERIFY(writeMechanism(pairOf(kUsualKind)).find("\"version\": 1,") != std::string::npos);
   }
 
   void anUnknownKindIsRejectedAsBefore() {

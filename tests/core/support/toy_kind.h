@@ -3,6 +3,7 @@
 #include "core/machine/solids/wheel_form.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/pair_wheels.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/placement/pair_rule.h"
 #include "core/presentation/schematic/wheel_symbol.h"
@@ -57,7 +58,8 @@ class ToyKind {
                             .distance = pairKind(kUsualKind).distance,
                             .distanceForm = pairKind(kUsualKind).distanceForm,
                             .secondCentral = noSecond,
-                            .other = std::nullopt};
+                            .other = std::nullopt,
+                            .since = kFileVersion};
   static constexpr TerminalRule kTerminals{againstEachOther};
   static constexpr PairTeaching kTeaching{
       .signMistake = "rollers-turn-alike",

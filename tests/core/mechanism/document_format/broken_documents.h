@@ -19,7 +19,7 @@ struct BrokenDocument {
       {"another format", "\"geargraph\"", "\"step\"", "format /format"},
       {"format of another type", "\"geargraph\"", "7", "format /format"},
       {"no format", "\"format\": \"geargraph\",", "", "format /format"},
-      {"newer version", "\"version\": 1", "\"version\": 2", "version /version"},
+      {"newer version", "\"version\": 1", "\"version\": 3", "version /version"},
       {"far newer version", "\"version\": 1", "\"version\": 123456789012345678901234567890",
        "version /version"},
       {"no version", "\"version\": 1,", "", "schema /version"},
