@@ -13,8 +13,8 @@ int listExerciseKinds(const Arguments& arguments);
 /// every format and a file for the answers.
 int makeExercises(const Arguments& arguments);
 
-/// `exercises grade SHEET ANSWERS... [-o CSV]`: writes points and reasons, one line per question and one for
-/// the sum. ANSWERS are files, or folders of files.
+/// `exercises grade SHEET ANSWERS... [-o CSV] [--summary OUT]`: writes points and reasons, one line per
+/// question and one for the sum, and the mistakes of the class. ANSWERS are files, or folders of files.
 int gradeExercises(const Arguments& arguments);
 
 /// Reports that the mechanism has too many links; returns the exit status.

@@ -22,7 +22,7 @@ struct Action {
 
 constexpr std::array<std::string_view, 8> kMakeOptions = {"--kinds", "--seed", "--variants", "--names",
                                                           "--title", "--to",   "--force",    "-o"};
-constexpr std::array<std::string_view, 1> kGradeOptions = {"-o"};
+constexpr std::array<std::string_view, 2> kGradeOptions = {"--summary", "-o"};
 constexpr std::array kActions = {Action{"kinds", {}, listExerciseKinds},
                                  Action{"make", kMakeOptions, makeExercises},
                                  Action{"grade", kGradeOptions, gradeExercises}};
@@ -53,8 +53,10 @@ constexpr std::array kExercisesOptions = {
     Option{"--variants", "N", toTranslate("how many different sheets, at most 1,000 (1)"), "make"},
     Option{"--names", "FILE", toTranslate("a variant for each line of this text file"), "make"},
     Option{"--title", "TEXT", toTranslate("the heading of the sheets (\"Exercises\")"), "make"},
-    Option{"--to", "LIST", toTranslate("forms: html,latex,pdf,json (html,latex,pdf)"), "make"},
+    Option{"--to", "LIST", toTranslate("forms: html,latex,pdf,json,handout,scorm (html,latex,pdf)"), "make"},
     Option{"--force", "", toTranslate("overwrites files in the folder"), "make"},
+    Option{"--summary", "OUT",
+           toTranslate("which mistake, how often, by whom: a .csv or a page with bars (.html)"), "grade"},
     Option{"-o", "OUT", toTranslate("make: the folder; grade: the CSV file (standard output)")},
 };
 

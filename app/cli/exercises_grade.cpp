@@ -1,4 +1,4 @@
-// `exercises grade SHEET ANSWERS... [-o CSV]`: points and reasons.
+// `exercises grade SHEET ANSWERS... [-o CSV] [--summary OUT]`: points and reasons.
 
 #include <algorithm>
 #include <filesystem>
@@ -14,6 +14,7 @@
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/teaching/exercises/class_summary.h"
 #include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/grade.h"
 #include "core/teaching/grading/question_json.h"
@@ -149,6 +150,7 @@ class AnswerGrader {
   }
 
   [[nodiscard]] const std::string& csv() const { return m_csv; }
+  [[nodiscard]] const ClassSummary& summary() const { return m_summary; }
 
  private:
   Verdict addQuestion(const std::vector<std::string>& head, int number, const Question& question,
@@ -181,6 +183,7 @@ class AnswerGrader {
     std::string fields;
     for (const int field : verdict.wrongFields)
       fields += (fields.empty() ? "" : "; ") + question.fields[static_cast<std::size_t>(field)].name;
+    m_summary.add(number, question, head[1].empty() ? head[0] : head[1], verdict);
     line({head[0], head[1], head[2], std::to_string(number), question.kind, std::to_string(verdict.points),
           std::to_string(question.points), resultOf(verdict), verdict.mistake ? verdict.mistake->name : "",
           fields, verdict.isRight ? "" : verdict.reason});
@@ -208,13 +211,22 @@ class AnswerGrader {
   std::string m_mark;
   std::map<int, std::vector<Question>> m_variants;
   std::string m_csv;
+  ClassSummary m_summary;
 };
+
+/// Is it to be the page with bars, by its suffix?
+bool isWebPage(const fs::path& path) {
+  return path.extension() == ".html" || path.extension() == ".htm";
+}
 
 }  // namespace
 
 int gradeExercises(const Arguments& arguments) {
   if (arguments.files.size() < 2)
     return wrongUsage(kExercises, translated("grade needs a sheet and answers."));
+  const auto summary = arguments.value("--summary");
+  if (summary && !isWebPage(*summary) && fs::path(*summary).extension() != ".csv")
+    return wrongUsage(kExercises, translated("--summary is a file that ends in .csv or .html."));
   const std::string& sheetPath = arguments.files.front();
   if (isNoFile(sheetPath)) return fileFailure(translated("%1 is no regular file.", {'"' + sheetPath + '"'}));
   const auto bytes = readFile(sheetPath, kLargestFile);
@@ -254,6 +266,12 @@ int gradeExercises(const Arguments& arguments) {
       continue;
     }
     grader.add(file, *answers);
+  }
+  if (summary) {
+    const ClassSummary& made = grader.summary();
+    if (const auto error =
+            writeFile(*summary, isWebPage(*summary) ? made.html(sheet->plan.title) : made.csv()))
+      return fileFailure(error->message);
   }
   const std::string out = arguments.value("-o").value_or("-");
   if (out == "-") return print(grader.csv(), status);

@@ -39,7 +39,8 @@ std::variant<SheetRequest, UsageError, FileError> requestFrom(const Arguments& a
   for (const std::string& name : wordsOf(arguments.value("--to").value_or("html,latex,pdf"), ',')) {
     const auto form = sheetFileForm(name);
     if (!form)
-      return UsageError{translated("--to lists forms out of html, latex, pdf and json, not \"%1\".", {name})};
+      return UsageError{translated(
+          "--to lists forms out of html, latex, pdf, json, handout and scorm, not \"%1\".", {name})};
     request.forms.push_back(*form);
   }
   return request;
@@ -90,6 +91,7 @@ int makeExercises(const Arguments& arguments) {
   auto kinds = kindsFrom(arguments, source);
   if (const auto* error = std::get_if<UsageError>(&kinds)) return wrongUsage(kExercises, error->message);
   request.plan.kinds = std::get<std::vector<ExerciseKind>>(std::move(kinds));
+  request.folder = fs::path(arguments.files.front()).parent_path();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (request.plan.kinds.empty()) {
     std::cerr << "geargraph-cli: "

@@ -8177,10 +8177,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>die Überschrift der Blätter („Exercises“)</translation>
     </message>
     <message>
-        <source>forms: html,latex,pdf,json (html,latex,pdf)</source>
-        <translation>Formen: html,latex,pdf,json (html,latex,pdf)</translation>
-    </message>
-    <message>
         <source>overwrites files in the folder</source>
         <translation>überschreibt Dateien im Ordner</translation>
     </message>
@@ -8235,10 +8231,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>--names is a text file of 1 to 1000 lines.</source>
         <translation>--names ist eine Textdatei mit 1 bis 1000 Zeilen.</translation>
-    </message>
-    <message>
-        <source>--to lists forms out of html, latex, pdf and json, not &quot;%1&quot;.</source>
-        <translation>--to zählt Formen aus html, latex, pdf und json auf, nicht „%1“.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is there already; nothing was written (--force overwrites).</source>
@@ -18108,6 +18100,66 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>Ctrl+Return</source>
         <translation>Strg+Eingabetaste</translation>
+    </message>
+    <message>
+        <source>forms: html,latex,pdf,json,handout,scorm (html,latex,pdf)</source>
+        <translation>Formen: html,latex,pdf,json,handout,scorm (html,latex,pdf)</translation>
+    </message>
+    <message>
+        <source>which mistake, how often, by whom: a .csv or a page with bars (.html)</source>
+        <translation>welcher Fehler, wie oft, von wem: eine .csv oder eine Seite mit Balken (.html)</translation>
+    </message>
+    <message>
+        <source>--summary is a file that ends in .csv or .html.</source>
+        <translation>--summary ist eine Datei, die auf .csv oder .html endet.</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html, latex, pdf, json, handout and scorm, not &quot;%1&quot;.</source>
+        <translation>--to nennt Formen aus html, latex, pdf, json, handout und scorm, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>File for answers</source>
+        <translation>Datei für Antworten</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>wrong, by no known mistake</source>
+        <translation>falsch, ohne bekannten Fehler</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Question %1: %2</source>
+        <translation>Frage %1: %2</translation>
+    </message>
+    <message>
+        <source>Handout</source>
+        <translation>Handout</translation>
+    </message>
+    <message>
+        <source>SCORM package</source>
+        <translation>SCORM-Paket</translation>
+    </message>
+    <message>
+        <source>A page for each variant, with the train in 3D, that grades what is filled in</source>
+        <translation>Je Variante eine Seite mit dem Getriebe in 3D, die bewertet, was eingetragen wird</translation>
+    </message>
+    <message>
+        <source>That page for each variant as a package for learning platforms</source>
+        <translation>Diese Seite je Variante als Paket für Lernplattformen</translation>
     </message>
 </context>
 <context>

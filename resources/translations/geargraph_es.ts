@@ -8177,10 +8177,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>el encabezado de las hojas («Exercises»)</translation>
     </message>
     <message>
-        <source>forms: html,latex,pdf,json (html,latex,pdf)</source>
-        <translation>formas: html,latex,pdf,json (html,latex,pdf)</translation>
-    </message>
-    <message>
         <source>overwrites files in the folder</source>
         <translation>sobrescribe archivos en la carpeta</translation>
     </message>
@@ -8235,10 +8231,6 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>--names is a text file of 1 to 1000 lines.</source>
         <translation>--names es un archivo de texto de 1 a 1000 líneas.</translation>
-    </message>
-    <message>
-        <source>--to lists forms out of html, latex, pdf and json, not &quot;%1&quot;.</source>
-        <translation>--to enumera formas de entre html, latex, pdf y json, no «%1».</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is there already; nothing was written (--force overwrites).</source>
@@ -18108,6 +18100,66 @@ pares / portasatélites: %3</translation>
     <message>
         <source>Ctrl+Return</source>
         <translation>Ctrl+Intro</translation>
+    </message>
+    <message>
+        <source>forms: html,latex,pdf,json,handout,scorm (html,latex,pdf)</source>
+        <translation>formas: html,latex,pdf,json,handout,scorm (html,latex,pdf)</translation>
+    </message>
+    <message>
+        <source>which mistake, how often, by whom: a .csv or a page with bars (.html)</source>
+        <translation>qué error, cuántas veces, de quién: un .csv o una página con barras (.html)</translation>
+    </message>
+    <message>
+        <source>--summary is a file that ends in .csv or .html.</source>
+        <translation>--summary es un archivo que termina en .csv o .html.</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html, latex, pdf, json, handout and scorm, not &quot;%1&quot;.</source>
+        <translation>--to enumera formas de entre html, latex, pdf, json, handout y scorm, no «%1».</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Estudiante</translation>
+    </message>
+    <message>
+        <source>File for answers</source>
+        <translation>Archivo para las respuestas</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>sin responder</translation>
+    </message>
+    <message>
+        <source>wrong, by no known mistake</source>
+        <translation>incorrecta, sin error conocido</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>Question %1: %2</source>
+        <translation>Pregunta %1: %2</translation>
+    </message>
+    <message>
+        <source>Handout</source>
+        <translation>Hoja interactiva</translation>
+    </message>
+    <message>
+        <source>SCORM package</source>
+        <translation>Paquete SCORM</translation>
+    </message>
+    <message>
+        <source>A page for each variant, with the train in 3D, that grades what is filled in</source>
+        <translation>Una página por variante, con el tren en 3D, que califica lo que se escribe</translation>
+    </message>
+    <message>
+        <source>That page for each variant as a package for learning platforms</source>
+        <translation>Esa página por variante como paquete para plataformas de aprendizaje</translation>
     </message>
 </context>
 <context>

@@ -8176,10 +8176,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>sayfaların başlığı (&quot;Exercises&quot;)</translation>
     </message>
     <message>
-        <source>forms: html,latex,pdf,json (html,latex,pdf)</source>
-        <translation>biçimler: html,latex,pdf,json (html,latex,pdf)</translation>
-    </message>
-    <message>
         <source>overwrites files in the folder</source>
         <translation>klasördeki dosyaların üzerine yazar</translation>
     </message>
@@ -8234,10 +8230,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>--names is a text file of 1 to 1000 lines.</source>
         <translation>--names 1 ile 1000 satırlık bir metin dosyasıdır.</translation>
-    </message>
-    <message>
-        <source>--to lists forms out of html, latex, pdf and json, not &quot;%1&quot;.</source>
-        <translation>--to html, latex, pdf ve json arasından biçimler sayar, &quot;%1&quot; değil.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is there already; nothing was written (--force overwrites).</source>
@@ -18107,6 +18099,66 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>Ctrl+Return</source>
         <translation>Ctrl+Return</translation>
+    </message>
+    <message>
+        <source>forms: html,latex,pdf,json,handout,scorm (html,latex,pdf)</source>
+        <translation>biçimler: html,latex,pdf,json,handout,scorm (html,latex,pdf)</translation>
+    </message>
+    <message>
+        <source>which mistake, how often, by whom: a .csv or a page with bars (.html)</source>
+        <translation>hangi hata, kaç kez, kimden: bir .csv ya da çubuklu bir sayfa (.html)</translation>
+    </message>
+    <message>
+        <source>--summary is a file that ends in .csv or .html.</source>
+        <translation>--summary, .csv ya da .html ile biten bir dosyadır.</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html, latex, pdf, json, handout and scorm, not &quot;%1&quot;.</source>
+        <translation>--to; html, latex, pdf, json, handout ve scorm biçimlerini sıralar, &quot;%1&quot; bunlardan değil.</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Seçenek</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Öğrenci</translation>
+    </message>
+    <message>
+        <source>File for answers</source>
+        <translation>Yanıt dosyası</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>yanıtlanmamış</translation>
+    </message>
+    <message>
+        <source>wrong, by no known mistake</source>
+        <translation>yanlış, bilinen bir hata değil</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>okunamıyor</translation>
+    </message>
+    <message>
+        <source>Question %1: %2</source>
+        <translation>Soru %1: %2</translation>
+    </message>
+    <message>
+        <source>Handout</source>
+        <translation>Ders notu</translation>
+    </message>
+    <message>
+        <source>SCORM package</source>
+        <translation>SCORM paketi</translation>
+    </message>
+    <message>
+        <source>A page for each variant, with the train in 3D, that grades what is filled in</source>
+        <translation>Her seçenek için, dişli takımını 3B gösteren ve yazılanı değerlendiren bir sayfa</translation>
+    </message>
+    <message>
+        <source>That page for each variant as a package for learning platforms</source>
+        <translation>Her seçenek için o sayfa, öğrenme ortamları için paket olarak</translation>
     </message>
 </context>
 <context>

@@ -162,6 +162,65 @@ class CliExercisesTest : public QObject {
     QVERIFY(nlohmann::json::parse(contents("named/sheet.json"))["variants"] == 2);
   }
 
+  /// A page and a package for each student, all found from one page.
+  void aClassGetsPagesAndAnIndex() {
+    save("class.txt", "Ada <b>\nEmmy Noether\n");
+    const Run made = make("pages", {"--names", path("class.txt"), "--to", "handout,scorm", "--kinds",
+                                    "freedom,speed", "--title", "Week 3", "--seed", "4"});
+    QVERIFY2(made.status == 0, made.errors.c_str());
+    QCOMPARE(QDir(path("pages")).entryList(QDir::Files),
+             QStringList({"answers-1.json", "answers-2.json", "handout-1.html", "handout-2.html", "index.html",
+                          "scorm-1.zip", "scorm-2.zip", "sheet.json"}));
+    const QString index = QString::fromStdString(contents("pages/index.html"));
+    QVERIFY(index.contains("<td>Ada &lt;b&gt;</td>") && index.contains("<td>Emmy Noether</td>"));
+    for (const char* file : {"handout-1.html", "handout-2.html", "scorm-1.zip", "scorm-2.zip", "answers-2.json"})
+      QVERIFY2(index.contains(QString("<a href=\"%1\">").arg(file)), file);
+    const QString page = QString::fromStdString(contents("pages/handout-2.html"));
+    QCOMPARE(page.count("<article class=\"question\""), qsizetype{2});
+    QVERIFY(page.contains("Week 3, variant 2"));
+    QVERIFY(contents("pages/handout-1.html") != contents("pages/handout-2.html"));
+    QCOMPARE(contents("pages/scorm-1.zip").substr(0, 2), std::string("PK"));
+    QCOMPARE(make("pages", {"--to", "handout", "--kinds", "freedom"}).status, 2);  // is not overwritten
+  }
+
+  /// Which mistake, how often, by whom.
+  void theSummaryNamesMistakesAndStudents() {
+    QCOMPARE(make("summed", {"--variants", "3", "--seed", "2026", "--to", "json", "--kinds", "cycle-basis,freedom"})
+                 .status,
+             0);
+    QVERIFY(QDir().mkpath(path("summed/in")));
+    const auto hand = [&](const QString& variant, const std::string& student, const auto& change) {
+      AnswerSheet answers = solved("summed", variant);
+      answers.student = student;
+      change(answers.answers);
+      save("summed/in/" + QString::fromStdString(student) + ".json", answersJson(answers));
+    };
+    const auto unsigned_ = [](auto& answers) {
+      for (auto& [name, text] : answers[1]) text = text == "-1" ? "1" : text;
+    };
+    hand("1", "Ada", [](auto&) {});
+    hand("2", "Cleo", [&](auto& answers) {
+      unsigned_(answers);
+      answers[2].clear();
+    });
+    hand("3", "Bob", unsigned_);
+    const auto graded = [&](const QString& out) {
+      return run({"exercises", "grade", path("summed/sheet.json"), path("summed/in"), "--summary", path(out)});
+    };
+    QCOMPARE(graded("sum.csv").status, 0);
+    QCOMPARE(lines(contents("sum.csv")),
+             QStringList({"question,kind,result,mistake,times,of,students", "1,cycle-basis,right,,1,3,Ada",
+                          "1,cycle-basis,wrong,signs-left-out,2,3,Bob; Cleo", "2,freedom,right,,2,3,Ada; Bob",
+                          "2,freedom,unanswered,,1,3,Cleo"}));
+    QCOMPARE(graded("sum.html").status, 0);
+    const QString page = QString::fromStdString(contents("sum.html"));
+    QVERIFY(page.contains("<h2>Question 1: Fill in a row of C</h2>"));
+    QVERIFY(page.contains("signs left out</th><td class=\"bar\"><span class=\"wrong\" style=\"width:67%\">"));
+    QVERIFY(page.contains("2 of 3</td><td>Bob; Cleo</td>"));
+    QCOMPARE(graded("sum.txt").status, 2);
+    QVERIFY(!QFile::exists(path("sum.txt")));
+  }
+
   void wrongUsageIsToldWithItsReason_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QString>("reason");

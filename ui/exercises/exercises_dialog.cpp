@@ -145,11 +145,17 @@ QWidget* ExercisesDialog::makeClass() {
   auto* forms = new QVBoxLayout;
   const std::pair<SheetFileForm, QString> kForms[] = {{SheetFileForm::pdf, tr("PDF")},
                                                       {SheetFileForm::html, tr("Web page")},
-                                                      {SheetFileForm::latex, tr("LaTeX")}};
+                                                      {SheetFileForm::latex, tr("LaTeX")},
+                                                      {SheetFileForm::handout, tr("Handout")},
+                                                      {SheetFileForm::scorm, tr("SCORM package")}};
   for (const auto& [kind, name] : kForms) {
     auto* check = new QCheckBox(name, box);
     check->setChecked(kind == SheetFileForm::pdf);
-    check->setToolTip(tr("Sheets and solutions in this form"));
+    check->setToolTip(kind == SheetFileForm::handout
+                          ? tr("A page for each variant, with the train in 3D, that grades what is filled in")
+                      : kind == SheetFileForm::scorm
+                          ? tr("That page for each variant as a package for learning platforms")
+                          : tr("Sheets and solutions in this form"));
     forms->addWidget(check);
     m_forms.emplace_back(kind, check);
   }

@@ -175,10 +175,12 @@ void WindowExports::exportSheets(const QString& folder, const SheetRequest& requ
     return;
   }
   const auto mechanism = m_workbench.document().mechanism();
+  SheetRequest asked = request;
+  asked.folder = QFile::encodeName(QFileInfo(m_files.source()).absolutePath()).toStdString();
   const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
     const ExerciseSource source(*mechanism);
     const auto files = sheetFiles(
-        source, request, [&](int variants) { progress(variants, request.plan.variants); }, stop);
+        source, asked, [&](int variants) { progress(variants, request.plan.variants); }, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     if (!files) return QString::fromStdString(files.error().front().message);
     const auto error = writeFolder(QFile::encodeName(folder).toStdString(), *files, {false, stop, {}});

@@ -1,10 +1,16 @@
 #include "core/presentation/sheet_files/sheet_files.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "core/foundations/base/wording.h"
+#include "core/foundations/base/words.h"
+#include "core/presentation/handout/handout.h"
 #include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/results/handout_train.h"
 #include "core/presentation/results/report_lists.h"
+#include "core/presentation/results/scorm_package.h"
 #include "core/presentation/sheets/sheet_report.h"
 #include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
@@ -12,8 +18,23 @@
 namespace geargraph::inline sheet_files {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForms = {  // name and suffix, by form
-    {{"html", "html"}, {"latex", "tex"}, {"pdf", "pdf"}, {"json", "json"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kForms = {  // name and suffix, by form
+    {{"html", "html"},
+     {"latex", "tex"},
+     {"pdf", "pdf"},
+     {"json", "json"},
+     {"handout", "html"},
+     {"scorm", "zip"}}};
+constexpr const char* kIndexName = "index.html";
+
+/// Is it one file with questions and key, instead of a sheet and a solution?
+bool isPage(SheetFileForm form) {
+  return form == SheetFileForm::handout || form == SheetFileForm::scorm;
+}
+
+bool hasPages(const SheetRequest& request) {
+  return std::any_of(request.forms.begin(), request.forms.end(), isPage);
+}
 
 /// "07" of 30.
 std::string numbered(int variant, int variants) {
@@ -24,6 +45,11 @@ std::string numbered(int variant, int variants) {
 std::string fileName(SheetForm part, const std::string& number, SheetFileForm form) {
   const std::string_view suffix = kForms[static_cast<std::size_t>(form)].second;
   return (part == SheetForm::questions ? "sheet-" : "solution-") + number + '.' + std::string(suffix);
+}
+
+std::string pageName(const std::string& number, SheetFileForm form) {
+  const auto& [name, suffix] = kForms[static_cast<std::size_t>(form)];
+  return std::string(name) + '-' + number + '.' + std::string(suffix);
 }
 
 std::string answersName(const std::string& number) {
@@ -58,6 +84,8 @@ class SheetWriter {
       case SheetFileForm::pdf:
         return reportPdf(report, m_lists);
       case SheetFileForm::json:
+      case SheetFileForm::handout:
+      case SheetFileForm::scorm:
         break;
     }
     return questionsJson(sheet.questions,
@@ -68,6 +96,72 @@ class SheetWriter {
   ReportLists m_lists;
   ReportDrawings m_drawings;
 };
+
+/// The pages of one variant, with its train in 3D, which is made once.
+class PageWriter {
+ public:
+  PageWriter(const ExerciseSource& varied, const HandoutExercises& exercises,
+             const std::filesystem::path& folder, const std::stop_token& stop)
+      : m_exercises(exercises), m_stop(stop), m_snapshot(analyze(varied.snapshot()->mechanism, 0, stop)) {
+    if (!m_snapshot) return;
+    m_train = handoutTrain(*m_snapshot, folder, stop).train;
+    m_drawings = svgDrawings(arrangedLists(*m_snapshot, stop));
+  }
+
+  /// Empty if a stop was requested.
+  [[nodiscard]] Expected<std::string> bytesOf(SheetFileForm form) const {
+    if (!m_snapshot) return std::string();
+    const bool isPackage = form == SheetFileForm::scorm;
+    Expected<std::string> page =
+        handoutHtml(m_snapshot, m_drawings, m_train,
+                    isPackage ? HandoutUse::learningPlatform : HandoutUse::alone, m_exercises, m_stop);
+    if (!page || !isPackage) return page;
+    const std::string& title = m_exercises.plan.title;
+    return scormPackage(title.empty() ? reportTitle(*m_snapshot->mechanism) : title, *page);
+  }
+
+ private:
+  const HandoutExercises& m_exercises;
+  std::stop_token m_stop;
+  SnapshotPtr m_snapshot;
+  HandoutTrain m_train;
+  ReportDrawings m_drawings;
+};
+
+/// A page that lists what each student gets.
+std::string indexPage(const SheetRequest& request) {
+  const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
+  const auto link = [](const std::string& file) { return "<a href=\"" + file + "\">" + file + "</a>"; };
+  const std::string title =
+      escapedXml(request.plan.title.empty() ? translated("Exercises") : request.plan.title);
+  std::string head = "<th>" + translated("Variant") + "</th>";
+  if (!request.students.empty()) head += "<th>" + translated("Student") + "</th>";
+  head += "<th>" + translated("Questions") + "</th><th>" + translated("File for answers") + "</th>";
+  std::string rows;
+  for (int variant = 1; variant <= request.plan.variants; ++variant) {
+    const std::string number = numbered(variant, request.plan.variants);
+    std::string questions;
+    for (const SheetFileForm form : request.forms)
+      questions += (questions.empty() ? "" : ", ") +
+                   link(isPage(form) ? pageName(number, form) : fileName(SheetForm::questions, number, form));
+    rows += "<tr>" + cell(number) +
+            (request.students.empty()
+                 ? ""
+                 : cell(escapedXml(request.students[static_cast<std::size_t>(variant) - 1]))) +
+            cell(questions) + cell(link(answersName(number))) + "</tr>\n";
+  }
+  return "<!DOCTYPE html>\n<html lang=\"" + translated("en") +
+         "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+         "initial-scale=1\">\n<title>" +
+         title +
+         "</title>\n<style>\nbody { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 60em; padding: 0 "
+         "1em; color-scheme: light dark; }\n"
+         "table { border-collapse: collapse; }\nth, td { border-bottom: 1px solid #8888; padding: 0.3em 1em "
+         "0.3em 0; text-align: left; }\n"
+         "</style>\n</head>\n<body>\n<h1>" +
+         title + "</h1>\n<table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows +
+         "</tbody>\n</table>\n</body>\n</html>\n";
+}
 
 }  // namespace
 
@@ -80,11 +174,17 @@ std::optional<SheetFileForm> sheetFileForm(std::string_view name) {
 
 std::vector<std::string> sheetFileNames(const SheetRequest& request) {
   std::vector<std::string> names{"sheet.json"};
+  if (hasPages(request)) names.emplace_back(kIndexName);
   for (int variant = 1; variant <= request.plan.variants; ++variant) {
     const std::string number = numbered(variant, request.plan.variants);
     names.push_back(answersName(number));
     for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
-      for (const SheetFileForm form : request.forms) names.push_back(fileName(part, number, form));
+      for (const SheetFileForm form : request.forms) {
+        if (!isPage(form)) names.push_back(fileName(part, number, form));
+      }
+    }
+    for (const SheetFileForm form : request.forms) {
+      if (isPage(form)) names.push_back(pageName(number, form));
     }
   }
   return names;
@@ -95,6 +195,7 @@ Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetReques
   const SheetFile file{request.plan, source.mechanism()};
   const std::string mark = sheetMark(file);
   FolderFiles files{{"sheet.json", sheetJson(file)}};
+  if (hasPages(request)) files.emplace_back(kIndexName, indexPage(request));
   for (int variant = 1; variant <= request.plan.variants && !stop.stop_requested(); ++variant) {
     const ExerciseSource varied = variantSource(source, request.plan, variant);
     const SheetWriter writer(varied, stop);
@@ -106,9 +207,20 @@ Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetReques
     for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
       const Report report = sheetReport(varied, request.plan, sheet, student, part);
       for (const SheetFileForm form : request.forms) {
+        if (isPage(form)) continue;
         auto bytes = writer.bytesOf(report, sheet, part, form);
         if (!bytes) return bytes.error();
         files.emplace_back(fileName(part, number, form), std::move(bytes).value());
+      }
+    }
+    if (hasPages(request)) {
+      const HandoutExercises exercises{request.plan, mark, sheet, varied.snapshot()->mechanism};
+      const PageWriter pages(varied, exercises, request.folder, stop);
+      for (const SheetFileForm form : request.forms) {
+        if (!isPage(form)) continue;
+        auto bytes = pages.bytesOf(form);
+        if (!bytes) return bytes.error();
+        files.emplace_back(pageName(number, form), std::move(bytes).value());
       }
     }
     if (progress) progress(variant);
