@@ -6,6 +6,8 @@
 #include <numeric>
 #include <set>
 
+#include "core/foundations/base/disjoint_sets.h"
+
 namespace geargraph::inline atlas {
 namespace {
 
@@ -18,8 +20,8 @@ class PartFinder {
         m_neighbours(static_cast<std::size_t>(chain.links) + chain.meshes.size()),
         m_depth(m_neighbours.size(), -1),
         m_low(m_neighbours.size()),
+        m_meshes(static_cast<int>(chain.meshes.size())),
         m_partOf(chain.meshes.size()) {
-    std::iota(m_partOf.begin(), m_partOf.end(), 0);
     for (std::size_t m = 0; m < chain.meshes.size(); ++m) {
       const ChainMesh& mesh = chain.meshes[m];
       const int vertex = m_links + static_cast<int>(m);
@@ -34,7 +36,7 @@ class PartFinder {
     for (int vertex = 0; vertex < static_cast<int>(m_neighbours.size()); ++vertex)
       if (depth(vertex) < 0) visit(vertex);
     std::map<int, std::vector<int>> parts;
-    for (int m = 0; m < static_cast<int>(m_partOf.size()); ++m) parts[root(m)].push_back(m);
+    for (int m = 0; m < m_meshes; ++m) parts[m_partOf.root(m)].push_back(m);
     std::vector<std::vector<int>> all;
     for (auto& [first, meshes] : parts) all.push_back(std::move(meshes));
     return all;
@@ -49,16 +51,6 @@ class PartFinder {
 
   int& depth(int vertex) { return m_depth[static_cast<std::size_t>(vertex)]; }
   int& low(int vertex) { return m_low[static_cast<std::size_t>(vertex)]; }
-
-  int root(int mesh) {
-    while (m_partOf[static_cast<std::size_t>(mesh)] != mesh) mesh = m_partOf[static_cast<std::size_t>(mesh)];
-    return mesh;
-  }
-  void join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    m_partOf[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
 
   void visit(int first) {
     std::vector<Step> steps{{first}};
@@ -97,7 +89,7 @@ class PartFinder {
       last = m_open.back();
       m_open.pop_back();
       if (last < m_links) continue;
-      if (mesh >= 0) join(mesh, last - m_links);
+      if (mesh >= 0) m_partOf.join(mesh, last - m_links);
       mesh = last - m_links;
     }
   }
@@ -107,7 +99,8 @@ class PartFinder {
   std::vector<int> m_depth;
   std::vector<int> m_low;
   std::vector<int> m_open;
-  std::vector<int> m_partOf;  ///< union-find by mesh
+  int m_meshes;
+  DisjointSets m_partOf;  ///< of meshes
 };
 
 }  // namespace

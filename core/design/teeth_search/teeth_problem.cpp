@@ -5,10 +5,10 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 
 #include "core/design/teeth_search/wished_states.h"
+#include "core/foundations/base/disjoint_sets.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/pins.h"
@@ -25,25 +25,6 @@ constexpr std::int64_t kNoHigh = std::numeric_limits<int>::max();
 std::string endName(const Mechanism& mechanism, int end) {
   return std::to_string(mechanism.meshLabel(end / 2)) + (end % 2 == 0 ? ":tail" : ":head");
 }
-
-/// Sets of ends or meshes that belong together.
-class JoinedNumbers {
- public:
-  explicit JoinedNumbers(std::size_t count) : m_parent(count) {
-    std::iota(m_parent.begin(), m_parent.end(), 0);
-  }
-  int root(int of) {
-    while (m_parent[static_cast<std::size_t>(of)] != of) of = m_parent[static_cast<std::size_t>(of)];
-    return of;
-  }
-  void join(int one, int other) {
-    const auto [first, second] = std::minmax({root(one), root(other)});
-    m_parent[static_cast<std::size_t>(second)] = first;
-  }
-
- private:
-  std::vector<int> m_parent;
-};
 
 class ProblemMaker {
  public:
@@ -89,7 +70,7 @@ class ProblemMaker {
   /// Ends of one wheel of the train, and of corresponding wheels of equal planets.
   void makeWheels() {
     const std::size_t ends = 2 * m_mechanism.gearMeshes.size();
-    JoinedNumbers joined(ends);
+    DisjointSets joined(ends);
     std::vector<int> gearOfEnd(ends, -1);
     std::vector<int> firstOf(m_train.wheels.size(), -1);
     for (const TrainPair& pair : m_train.pairs) {
@@ -134,7 +115,7 @@ class ProblemMaker {
     }
   }
 
-  void joinPlanets(const PlanetGroup& first, const PlanetGroup& group, JoinedNumbers& joined) const {
+  void joinPlanets(const PlanetGroup& first, const PlanetGroup& group, DisjointSets& joined) const {
     for (std::size_t k = 0; k < first.meshes.size(); ++k) {
       const int one = 2 * first.meshes[k];
       const int other = 2 * group.meshes[k];
@@ -207,7 +188,7 @@ class ProblemMaker {
   };
 
   void makeSums() {
-    JoinedNumbers trains(m_problem.wheels.size());
+    DisjointSets trains(m_problem.wheels.size());
     for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh)
       trains.join(m_problem.wheelOfEnd[static_cast<std::size_t>(2 * mesh)],
                   m_problem.wheelOfEnd[static_cast<std::size_t>(2 * mesh + 1)]);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "core/foundations/base/disjoint_sets.h"
 #include "core/machine/arrangement/body_shapes.h"
 #include "core/machine/arrangement/carrier_cases.h"
 #include "core/machine/arrangement/swept_envelope.h"
@@ -101,13 +101,8 @@ class FrameMaker {
   }
 
   // Pieces that hang together.
-  [[nodiscard]] std::size_t rootOf(std::size_t piece) const {
-    while (m_joined[piece] != piece) piece = m_joined[piece];
-    return piece;
-  }
-  void join(std::size_t a, std::size_t b) {
-    m_joined[std::max(rootOf(a), rootOf(b))] = std::min(rootOf(a), rootOf(b));
-  }
+  [[nodiscard]] std::size_t rootOf(std::size_t piece) const { return m_joined.root(piece); }
+  void join(std::size_t a, std::size_t b) { m_joined.join(a, b); }
   [[nodiscard]] std::vector<std::size_t> separatePieces() const {
     std::vector<std::size_t> roots;
     for (std::size_t p = 0; p < m_pieces.size(); ++p) {
@@ -130,7 +125,7 @@ class FrameMaker {
   const GearTrain& m_train;
   std::vector<SweptEnvelope> m_envelopes;
   std::vector<Piece> m_pieces;
-  std::vector<std::size_t> m_joined;  ///< by piece: another of its group; itself: the group's first
+  DisjointSets m_joined;  ///< of pieces
   std::vector<Rim> m_rims;
   FramePlan m_made;
 };
@@ -166,8 +161,7 @@ void FrameMaker::findPieces() {
       m_pieces.push_back(piece);
     }
   }
-  m_joined.resize(m_pieces.size());
-  std::iota(m_joined.begin(), m_joined.end(), std::size_t{0});
+  m_joined = DisjointSets(m_pieces.size());
   findRims();
 }
 
@@ -184,7 +178,7 @@ void FrameMaker::findRims() {
     }
     if (rim.piece < 0) {
       rim.piece = static_cast<int>(m_pieces.size());
-      m_joined.push_back(m_pieces.size());
+      m_joined.add();
       m_pieces.push_back({gear.axisClass, rim.low, rim.high, rim.outer, false});
     }
     m_rims.push_back(rim);

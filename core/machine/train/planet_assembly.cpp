@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
+#include "core/foundations/base/disjoint_sets.h"
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/machine/teeth/wheel_kind.h"
@@ -21,23 +21,11 @@ constexpr std::size_t kMaxNames = 12;
 using Gears = std::vector<GearOrdinal>;
 
 /// Gears that meshes tie to each other, so that the phase of one gives that of the others.
-class TiedGears {
- public:
-  explicit TiedGears(const GearTrain& train) : m_parent(train.gears.size()) {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
-    for (const TrainMesh& mesh : train.meshes) m_parent[root(mesh.tailGear)] = root(mesh.headGear);
-  }
-  bool areTied(GearOrdinal one, GearOrdinal other) { return root(one) == root(other); }
-
- private:
-  std::size_t root(GearOrdinal gear) {
-    auto g = static_cast<std::size_t>(gear);
-    while (m_parent[g] != g) g = m_parent[g] = m_parent[m_parent[g]];
-    return g;
-  }
-
-  std::vector<std::size_t> m_parent;
-};
+DisjointSets tiedGears(const GearTrain& train) {
+  DisjointSets tied(train.gears.size());
+  for (const TrainMesh& mesh : train.meshes) tied.join(mesh.tailGear, mesh.headGear);
+  return tied;
+}
 
 /// The same link of each planet of a set, and its gears in corresponding order.
 struct EqualLinks {
@@ -259,7 +247,7 @@ struct TurnDifference {
   }
 };
 
-TurnDifference differenceOf(const PlanetSet& set, TiedGears& tied, const EqualLinks& same, std::size_t one,
+TurnDifference differenceOf(const PlanetSet& set, DisjointSets& tied, const EqualLinks& same, std::size_t one,
                             std::size_t other) {
   TurnDifference difference{set.gear(same.gears[0][one]).spec.teeth,
                             set.gear(same.gears[0][other]).spec.teeth,
@@ -268,8 +256,8 @@ TurnDifference differenceOf(const PlanetSet& set, TiedGears& tied, const EqualLi
   const double step = kTurn / static_cast<double>(std::lcm(std::int64_t{difference.teeth},
                                                            std::int64_t{difference.otherTeeth}));
   for (std::size_t p = 1; p < same.links.size(); ++p) {
-    const bool isFree = !tied.areTied(same.gears[0][one], same.gears[p][one]) ||
-                        !tied.areTied(same.gears[0][other], same.gears[p][other]);
+    const bool isFree = !tied.areJoined(same.gears[0][one], same.gears[p][one]) ||
+                        !tied.areJoined(same.gears[0][other], same.gears[p][other]);
     if (isFree) continue;
     const double turn = set.turnOf(same, p, other) - set.turnOf(same, p, one);
     const double left = turn - step * std::round(turn / step);
@@ -352,7 +340,7 @@ Diagnostics planetDiagnostics(const Mechanism& mechanism, const Placement& place
   std::vector<int> meshAt(mechanism.gearMeshes.size(), -1);
   for (std::size_t m = 0; m < train.meshes.size(); ++m)
     meshAt[static_cast<std::size_t>(train.meshes[m].mesh)] = static_cast<int>(m);
-  TiedGears tied(train);
+  DisjointSets tied = tiedGears(train);
   for (const std::vector<PlanetGroup>& planets : equalPlanets(mechanism, placement, PlanetScope::all)) {
     if (stop.stop_requested()) return found;
     const PlanetSet set(train, meshAt, planets);

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/foundations/base/disjoint_sets.h"
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/tooth_pair.h"
@@ -21,23 +22,13 @@ constexpr double kDefaultSpurFace = 8;     // modules
 constexpr double kMaxBevelFace = 10;       // modules
 
 /// Wheels that mesh with each other on parallel axes, so that one module is theirs.
-class Groups {
- public:
-  explicit Groups(const TrainWheels& train) : m_parent(train.wheels.size()) {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
-    for (const TrainPair& pair : train.pairs) {
-      if (hasParallelAxes(pair.kind)) m_parent[root(pair.tail)] = root(pair.head);
-    }
+DisjointSets wheelsOfOneModule(const TrainWheels& train) {
+  DisjointSets groups(train.wheels.size());
+  for (const TrainPair& pair : train.pairs) {
+    if (hasParallelAxes(pair.kind)) groups.join(pair.tail, pair.head);
   }
-  std::size_t root(GearOrdinal wheel) {
-    auto w = static_cast<std::size_t>(wheel);
-    while (m_parent[w] != w) w = m_parent[w] = m_parent[m_parent[w]];
-    return w;
-  }
-
- private:
-  std::vector<std::size_t> m_parent;
-};
+  return groups;
+}
 
 /// Coordinates come in decimals. What differs by less than they say is taken for equal, so that the planets
 /// of a set are one solid and pairs at their standard distance have no shift.
@@ -55,17 +46,17 @@ int teethSum(const TrainPair& pair, const TrainWheels& train) {
 }
 
 void setModules(TrainWheels& train) {
-  Groups groups(train);
+  DisjointSets groups = wheelsOfOneModule(train);
   std::vector<double> module(train.wheels.size(), 0);
   for (const TrainPair& pair : train.pairs) {
     if (!hasParallelAxes(pair.kind)) continue;
     const double wanted = 2 * pair.distance / teethSum(pair, train);
-    double& least = module[groups.root(pair.tail)];
+    double& least = module[groups.root(static_cast<std::size_t>(pair.tail))];
     if (least == 0 || wanted < least) least = wanted;
   }
   for (const GearOrdinal w : train.wheels.ordinals()) {
     GearSpec& spec = train.wheels[w].spec;
-    if (!isConical(spec)) spec.module = module[groups.root(static_cast<int>(w))];
+    if (!isConical(spec)) spec.module = module[groups.root(static_cast<std::size_t>(w))];
     spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
     spec.coneAngle = rounded(spec.coneAngle, kAngleStep);
   }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
+
+#include "core/foundations/base/disjoint_sets.h"
 
 namespace geargraph::inline placement {
 namespace {
@@ -16,10 +17,9 @@ class PlanetFinder {
         m_scope(scope),
         m_tree(*placement.tree),
         m_classes(*placement.classes),
-        m_groupOf(m_classes.classes.size()),
+        m_groups(m_classes.classes.size()),
         m_members(m_classes.classes.size()),
         m_meshesOf(mechanism.links.size()) {
-    std::iota(m_groupOf.begin(), m_groupOf.end(), 0);
     for (std::size_t m = 0; m < m_tree.meshes.size(); ++m) {
       m_meshesOf[m_tree.meshes[m].tail].push_back(static_cast<int>(m));
       m_meshesOf[m_tree.meshes[m].head].push_back(static_cast<int>(m));
@@ -31,12 +31,12 @@ class PlanetFinder {
     joinByMeshes();
     for (const int link : m_tree.order) {
       const int c = classOf(link);
-      if (c >= 0 && m_isPlanet[c]) m_members[root(c)].insert(link);
+      if (c >= 0 && m_isPlanet[c]) m_members[m_groups.root(c)].insert(link);
     }
     std::map<std::string, std::size_t> setOf;
     std::vector<std::vector<PlanetGroup>> sets;
     for (std::size_t c = 0; c < m_isPlanet.size(); ++c) {
-      if (!m_isPlanet[c] || root(static_cast<int>(c)) != static_cast<int>(c)) continue;
+      if (!m_isPlanet[c] || m_groups.root(c) != c) continue;
       if (m_classes.classes[c].rootLink == 0 && !isRoundOneAxis(static_cast<int>(c))) continue;
       const auto [group, signature] = described(static_cast<int>(c));
       const auto [found, isNew] = setOf.try_emplace(signature, sets.size());
@@ -52,11 +52,6 @@ class PlanetFinder {
   }
 
  private:
-  int root(int c) {
-    while (m_groupOf[c] != c) c = m_groupOf[c];
-    return c;
-  }
-
   [[nodiscard]] int classOf(int link) const { return m_classes.classOfLink(link); }
 
   /// Axes that carry nothing; of those that one may stand for in a drawing, only passive ones.
@@ -84,7 +79,7 @@ class PlanetFinder {
       if (a < 0 || b < 0 || a == b || !m_isPlanet[a] || !m_isPlanet[b]) continue;
       const LinkOrdinal carrier = m_classes.classes[a].rootLink;
       if (carrier == 0 || carrier != m_classes.classes[b].rootLink) continue;
-      m_groupOf[std::max(root(a), root(b))] = std::min(root(a), root(b));
+      m_groups.join(a, b);
     }
   }
 
@@ -150,7 +145,7 @@ class PlanetFinder {
   const JointTree& m_tree;
   const AxisClasses& m_classes;
   ByClass<bool> m_isPlanet;
-  ByClass<ClassOrdinal> m_groupOf;   ///< union-find
+  DisjointSets m_groups;
   ByClass<std::set<int>> m_members;  ///< links, by the group's root
   ByLink<std::vector<MeshOrdinal>> m_meshesOf;
 };

@@ -5,8 +5,9 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
+
+#include "core/foundations/base/disjoint_sets.h"
 
 namespace geargraph::inline meshfile {
 namespace {
@@ -34,21 +35,6 @@ struct EdgeSide {
 std::uint32_t nextSide(std::uint32_t side) {
   return side % 3 == 2 ? side - 2 : side + 1;
 }
-
-/// Corners of triangles that are one vertex, as a union-find forest.
-class Corners {
- public:
-  explicit Corners(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0U); }
-
-  std::uint32_t root(std::uint32_t corner) {
-    while (m_parent[corner] != corner) corner = m_parent[corner] = m_parent[m_parent[corner]];
-    return corner;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { m_parent[root(a)] = root(b); }
-
- private:
-  std::vector<std::uint32_t> m_parent;
-};
 
 std::vector<EdgeSide> sortedSides(const WeldedMesh& mesh) {
   std::vector<EdgeSide> sides;
@@ -90,7 +76,8 @@ WeldedMesh welded(const Solid& solid) {
 WeldedMesh weldedToManifold(const Solid& solid) {
   const WeldedMesh mesh = welded(solid);
   const std::vector<EdgeSide> sides = sortedSides(mesh);
-  Corners corners(sides.size());
+  DisjointSets corners(  // of triangles that are one vertex
+      sides.size());
   for (std::size_t first = 0; first < sides.size();) {
     std::size_t backward = first;  // forward sides of the edge come first, both kinds in order of triangles
     const auto isSameEdge = [&](std::size_t i) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/disjoint_sets.h"
 
 namespace geargraph::inline power_drawing {
 namespace {
@@ -36,17 +36,10 @@ class Tree {
   /// Keeps the shortest connections that join what can be joined, then bridges.
   void grow() {
     m_edges.assign(m_places.size(), {});
-    std::vector<int> roots(m_places.size());
-    std::iota(roots.begin(), roots.end(), 0);
-    const auto rootOf = [&](int place) {
-      while (roots[static_cast<std::size_t>(place)] != place) place = roots[static_cast<std::size_t>(place)];
-      return place;
-    };
+    DisjointSets joined(m_places.size());
     const auto take = [&](const Candidate& each) {
-      const int a = rootOf(each.a);
-      const int b = rootOf(each.b);
-      if (a == b) return;
-      roots[static_cast<std::size_t>(a)] = b;
+      if (joined.areJoined(each.a, each.b)) return;
+      joined.join(each.a, each.b);
       m_edges[static_cast<std::size_t>(each.a)].push_back(each.b);
       m_edges[static_cast<std::size_t>(each.b)].push_back(each.a);
     };
@@ -54,7 +47,7 @@ class Tree {
     std::vector<Candidate> bridges;
     for (int a = 0; a < size(); ++a)
       for (int b = 0; b < a; ++b)
-        if (rootOf(a) != rootOf(b)) bridges.push_back({a, b, distance(at(a), at(b))});
+        if (!joined.areJoined(a, b)) bridges.push_back({a, b, distance(at(a), at(b))});
     sortAndTake(bridges, take);
   }
 
