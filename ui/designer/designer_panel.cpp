@@ -55,7 +55,9 @@ void DesignerPanel::prepare() {
   splitter->addWidget(left);
   splitter->addWidget(makeMiddle());
   splitter->addWidget(m_card);
-  left->setMinimumWidth(scaledPixels(250));
+  // In other languages the form is wider, and it is not scrolled sideways.
+  left->setMinimumWidth(std::max(scaledPixels(250), m_form->minimumSizeHint().width() +
+                                                        style()->pixelMetric(QStyle::PM_ScrollBarExtent)));
   m_card->setMinimumWidth(scaledPixels(290));
   splitter->setStretchFactor(0, 0);
   splitter->setStretchFactor(1, 3);
@@ -430,7 +432,7 @@ void DesignerPanel::renewWords() {
     case Phase::idle:
       m_empty->setText(
           tr("Type ratios and choose Search.<br>Six ratios are enough: <a href=\"example\">%1</a>")
-              .arg(QLatin1String(WishForm::kExampleRatios)));
+              .arg(localNumbers(WishForm::kExampleRatios)));
       break;
     case Phase::done:
       m_empty->setText(emptyListText());

@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSpinBox>
 
@@ -22,6 +23,10 @@ std::string partOfOne(const QString& percent) {
   const std::string plain = plainNumber(percent);
   const auto number = Rational::fromText(plain);
   return number ? (*number / Rational(100)).toString() : plain;
+}
+
+QString localNumbers(const char* numbers) {
+  return QString::fromLatin1(numbers).replace(QLatin1Char('.'), QLocale().decimalPoint());
 }
 
 QStringList ratiosIn(const QString& text) {

@@ -21,6 +21,8 @@ namespace geargraph::inline designer {
 /// The ratios in a typed or pasted text, as wishes have them: separated by blanks, semicolons, or commas
 /// that are no decimal signs; "4,17 2,34" and "4.17, 2.34" are the same two.
 [[nodiscard]] QStringList ratiosIn(const QString& text);
+/// Numbers with the decimal sign in use: "4,17 2,34".
+[[nodiscard]] QString localNumbers(const char* numbers);
 /// With a point as decimal sign, as files have it, and with the sign of a keyboard.
 [[nodiscard]] std::string plainNumber(QString text);
 /// A number of percent as a part of 1, exactly; as typed where it is none, so that the fault names it.

@@ -267,7 +267,7 @@ void HitCard::fillOneTable() {
                                        tr("error"), QStringLiteral("η"), tr("circul.")});
   m_states->horizontalHeaderItem(circulating)
       ->setToolTip(tr("The largest circulating power, as a part of the power at the input"));
-  m_states->setColumnHidden(decimal, false);
+  for (const int column : {wanted, decimal}) m_states->setColumnHidden(column, false);
   m_states->setColumnHidden(efficiency, !gearbox.losses || !m_wish->efficiency);
   m_states->setColumnHidden(circulating, !gearbox.losses);
   for (std::size_t i = 0; i < gearbox.gears.size(); ++i) {
@@ -287,7 +287,7 @@ void HitCard::fillOneTable() {
     m_states->setItem(row, efficiency, shown(gearbox.losses->efficiencies[i]));
     m_states->setItem(row, circulating, shown(gearbox.losses->circulating[i]));
   }
-  fitTable(*m_states, {decimal, circulating});
+  fitTable(*m_states, {decimal, circulating, wanted});
 }
 
 void HitCard::fillTwoTable() {

@@ -87,7 +87,7 @@ void HubForm::makeCounted(QVBoxLayout& column) {
 }
 
 void HubForm::setExample() {
-  m_ratios->setPlainText(QLatin1String(kExampleRatios));
+  m_ratios->setPlainText(localNumbers(kExampleRatios));
   m_direct->setValue(0);
   m_tolerance->clear();
   m_sets->setValue(2);

@@ -245,7 +245,7 @@ void HubPanel::renewWords() {
     return m_empty->setText(
         tr("Type the ratios of the maker's sheet and choose Search.<br>A hub with seven gears: "
            "<a href=\"example\">%1</a>")
-            .arg(QLatin1String(HubForm::kExampleRatios)));
+            .arg(localNumbers(HubForm::kExampleRatios)));
   }
   if (!m_answers.empty())
     return m_empty->setText(

@@ -114,7 +114,7 @@ void WishForm::makeElements(QVBoxLayout& column) {
 
 void WishForm::makeLimits(QVBoxLayout& column) {
   auto* form = addForm(column, tr("Limits"));
-  m_k = {line("wishLeastK", QStringLiteral("1.5")), line("wishMostK", QStringLiteral("4"))};
+  m_k = {line("wishLeastK", localNumbers("1.5")), line("wishMostK", QStringLiteral("4"))};
   m_k[0]->setAccessibleName(tr("Least ring : sun"));
   m_k[1]->setAccessibleName(tr("Largest ring : sun"));
   form->addRow(tr("ring : sun"), fromTo(m_k[0], m_k[1]));
@@ -153,7 +153,7 @@ void WishForm::onEdited() {
 }
 
 void WishForm::setExample() {
-  m_ratios->setPlainText(QLatin1String(kExampleRatios));
+  m_ratios->setPlainText(localNumbers(kExampleRatios));
   m_reverse->setCurrentIndex(0);
   m_tolerance->setText(QStringLiteral("1"));
   m_sets[0]->setValue(1);
