@@ -241,7 +241,15 @@ void DesignerPanel::onProgress(const DesignProgress& progress) {
   m_hits->add(progress.found);
   if (!progress.found.empty()) showHits();  // its number may be another one now
   setPhase(m_service->isComplete() ? Phase::done : Phase::searching);
+  takeKeysToList();
   if (isSettled()) emit settled();
+}
+
+/// Who searched from the form by keys goes on in the list, unless the wish is being changed again.
+void DesignerPanel::takeKeysToList() {
+  const bool isInForm = m_form->isAncestorOf(window()->focusWidget());
+  if (m_phase == Phase::done && !m_isEarlier && isInForm && m_hits->hits().rowCount() > 0)
+    m_hits->setFocus(Qt::OtherFocusReason);
 }
 
 /// The window's status bar has the reason; what was found stays.

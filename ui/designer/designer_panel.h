@@ -69,6 +69,7 @@ class DesignerPanel final : public QWidget, public ResultsView {
   [[nodiscard]] QWidget* makeMiddle();
   [[nodiscard]] QWidget* makeHead();
   void onProgress(const DesignProgress& progress);
+  void takeKeysToList();
   void onFailed();
   void onDetail(const HitDetailPtr& detail);
   void showHits();

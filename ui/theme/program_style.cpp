@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QListView>
 #include <QPainter>
+#include <QPlainTextEdit>
 #include <QPolygonF>
 #include <QPushButton>
 #include <QScrollArea>
@@ -313,6 +314,12 @@ void ProgramStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
     case PE_PanelLineEdit: {
       const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
       if (frame == nullptr || isPartOfField(widget)) return;
+      return drawLineEdit(*frame, *painter, widget);
+    }
+    case PE_Frame: {
+      const auto* text = qobject_cast<const QPlainTextEdit*>(widget);
+      const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
+      if (text == nullptr || text->isReadOnly() || frame == nullptr) break;
       return drawLineEdit(*frame, *painter, widget);
     }
     case PE_Widget:

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -311,6 +312,27 @@ class DesignerPanelTest : public QObject {
     QVERIFY(wish.has_value());
     QCOMPARE(wish->forward.size(), 6U);
     QCOMPARE(wish->limits.kinds, (std::vector{SetKind::simple, SetKind::ravigneaux}));
+  }
+
+  void whoSearchesByKeysGoesOnInTheList() {
+    auto& ratios = part<QPlainTextEdit>("wishRatios");
+    wishForSimpson();
+    ratios.setFocus();
+    QTest::keyClick(&ratios, Qt::Key_Return, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->isDone(), kSearch);
+    QCOMPARE(m_panel->window()->focusWidget(), static_cast<QWidget*>(m_panel->hits()));
+    // Who goes on typing stays where the typing is.
+    ratios.setFocus();
+    QTest::keyClick(&ratios, Qt::Key_Return, Qt::ControlModifier);
+    QTest::keyClicks(&ratios, " 1");
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->isDone(), kSearch);
+    QCOMPARE(m_panel->window()->focusWidget(), static_cast<QWidget*>(&ratios));
+  }
+
+  /// It is not scrolled sideways: what does not fit could not be seen.
+  void theFormIsAsWideAsItsFields() {
+    auto& scroll = part<QScrollArea>("wishScroll");
+    QVERIFY(scroll.viewport()->width() >= m_panel->form()->minimumSizeHint().width());
   }
 
   void anotherWishMarksTheListAsThatOfTheEarlierOne() {
