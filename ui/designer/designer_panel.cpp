@@ -55,9 +55,7 @@ void DesignerPanel::prepare() {
   splitter->addWidget(left);
   splitter->addWidget(makeMiddle());
   splitter->addWidget(m_card);
-  // In other languages the form is wider, and it is not scrolled sideways.
-  left->setMinimumWidth(std::max(scaledPixels(250), m_form->minimumSizeHint().width() +
-                                                        style()->pixelMetric(QStyle::PM_ScrollBarExtent)));
+  left->setMinimumWidth(m_form->roomFor(scaledPixels(250)));
   m_card->setMinimumWidth(scaledPixels(290));
   splitter->setStretchFactor(0, 0);
   splitter->setStretchFactor(1, 3);

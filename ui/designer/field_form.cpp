@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <QSpinBox>
+#include <QStyle>
+#include <algorithm>
 
 #include "core/foundations/base/rational.h"
 #include "core/foundations/files/json_writer.h"
@@ -42,6 +44,10 @@ QStringList ratiosIn(const QString& text) {
     }
   }
   return ratios;
+}
+
+int FieldForm::roomFor(int least) const {
+  return std::max(least, minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
 }
 
 QVBoxLayout* FieldForm::makeColumn() {

@@ -35,6 +35,10 @@ class FieldForm : public QWidget {
  public:
   using QWidget::QWidget;
 
+  /// The width, with a scroll bar beside it, at which no field is cut: the form is not scrolled sideways, and
+  /// its words are longer in other languages. At least `least`.
+  [[nodiscard]] int roomFor(int least) const;
+
  signals:
   void changed();
   /// Return was pressed in a field of one line.

@@ -47,7 +47,7 @@ void HubPanel::prepare() {
   splitter->addWidget(left);
   splitter->addWidget(makeMiddle());
   splitter->addWidget(m_card);
-  left->setMinimumWidth(scaledPixels(240));
+  left->setMinimumWidth(m_form->roomFor(scaledPixels(240)));
   m_card->setMinimumWidth(scaledPixels(280));
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({scaledPixels(270), scaledPixels(700), scaledPixels(380)});
