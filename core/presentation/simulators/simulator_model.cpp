@@ -10,6 +10,7 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/theory/dynamics/dynamics_report.h"
 #include "core/theory/matroid/coefficient_matrix.h"
+#include "core/theory/matroid/joint_coupling.h"
 #include "core/theory/pose/turning_lines.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/statics/applied_loads.h"
@@ -171,16 +172,8 @@ class ModelMaker {
     const std::vector<Rational> rest(inputs.size());
     const auto exact = solveExact(*m_kinematics.model, inputs, rest, m_stop);
     if (!exact) return false;
-    m_model.gains.assign(m_model.joints.size(), std::vector<Rational>(inputs.size()));
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-      m_model.gains[static_cast<std::size_t>(inputs[i])][i] = Rational(1);
-    GEARGRAPH_REQUIRE(exact->matrix.size() == exact->outputs.size() * inputs.size());
-    for (std::size_t row = 0; row < exact->outputs.size(); ++row) {
-      for (std::size_t i = 0; i < inputs.size(); ++i) {
-        m_model.gains[static_cast<std::size_t>(exact->outputs[row])][i] =
-            exact->matrix[row * inputs.size() + i];
-      }
-    }
+    for (JointOrdinal joint = 0; joint < static_cast<int>(m_model.joints.size()); ++joint)
+      m_model.gains.push_back(gainsOf(*exact, joint));
     return true;
   }
 

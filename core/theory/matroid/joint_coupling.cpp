@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/exact/elimination.h"
+#include "core/foundations/exact/fields.h"
 
 namespace geargraph::inline matroid {
 namespace {
@@ -38,23 +40,30 @@ bool areIndependent(const ExactSolution& solution, const std::vector<JointOrdina
                      [&](JointOrdinal joint) { return rows.take(gainsOf(solution, joint)); });
 }
 
-/// [A | 1] brought to [1 | A^-1]; false if A is singular.
-bool reduceToUnit(std::vector<GainRow>& rows) {
-  const std::size_t size = rows.size();
-  for (std::size_t column = 0; column < size; ++column) {
-    const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(column), rows.end(),
-                                    [&](const GainRow& row) { return !row[column].isZero(); });
-    if (pivot == rows.end()) return false;
-    std::swap(*pivot, rows[column]);
-    const Rational scale = rows[column][column].inverse();
-    for (Rational& each : rows[column]) each *= scale;
-    for (std::size_t other = 0; other < size; ++other) {
-      if (other == column || rows[other][column].isZero()) continue;
-      const Rational factor = rows[other][column];
-      for (std::size_t i = column; i < 2 * size; ++i) rows[other][i] -= factor * rows[column][i];
+/// The inverse of a square matrix, row by row; std::nullopt if it is singular.
+std::optional<std::vector<Rational>> inverseOf(const std::vector<Rational>& matrix, int size) {
+  const RationalField field;
+  SparseRows<Rational> rows;  // over the motors, then over the joints, which are given
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      const Rational& entry = matrix[static_cast<std::size_t>(row * size + column)];
+      if (!entry.isZero()) rows.add(column, entry);
     }
+    rows.add(size + row, Rational(-1));
+    rows.endRow();
   }
-  return true;
+  const auto system = eliminate(field, std::move(rows), size, 2 * size);
+  if (!system->freeColumns.empty()) return std::nullopt;
+  std::vector<Rational> inverse(matrix.size());
+  std::vector<Rational> x(static_cast<std::size_t>(2 * size));
+  for (int joint = 0; joint < size; ++joint) {
+    x[static_cast<std::size_t>(size + joint)] = 1;
+    substitute(field, *system, std::span<Rational>(x));
+    x[static_cast<std::size_t>(size + joint)] = 0;
+    for (int motor = 0; motor < size; ++motor)
+      inverse[static_cast<std::size_t>(motor * size + joint)] = x[static_cast<std::size_t>(motor)];
+  }
+  return inverse;
 }
 
 std::vector<JointOrdinal> jointsTo(const SpanningTree& tree, LinkOrdinal link) {
@@ -95,19 +104,13 @@ std::optional<JointCoupling> jointCoupling(const ExactSolution& solution, std::v
   GEARGRAPH_REQUIRE(joints.size() == size);
   JointCoupling coupling;
   for (const int input : solution.inputs) coupling.motors.emplace_back(input);
-  std::vector<GainRow> rows;
-  for (std::size_t at = 0; at < size; ++at) {
-    GainRow row = gainsOf(solution, joints[at]);
+  for (const JointOrdinal joint : joints) {
+    const GainRow row = gainsOf(solution, joint);
     coupling.motorToJoint.insert(coupling.motorToJoint.end(), row.begin(), row.end());
-    row.resize(2 * size);
-    row[size + at] = Rational(1);
-    rows.push_back(std::move(row));
   }
-  if (!reduceToUnit(rows)) return std::nullopt;
-  for (const GainRow& row : rows) {
-    coupling.jointToMotor.insert(coupling.jointToMotor.end(), row.begin() + static_cast<std::ptrdiff_t>(size),
-                                 row.end());
-  }
+  auto inverse = inverseOf(coupling.motorToJoint, static_cast<int>(size));
+  if (!inverse) return std::nullopt;
+  coupling.jointToMotor = *std::move(inverse);
   coupling.joints = std::move(joints);
   return coupling;
 }
