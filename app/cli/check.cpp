@@ -1,7 +1,9 @@
 // `check FILE PAPER`: the user's matrices and equations against the derived ones.
 
+#include <algorithm>
 #include <array>
 #include <iostream>
+#include <memory>
 #include <set>
 
 #include "app/cli/command.h"
@@ -12,7 +14,10 @@
 #include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/file.h"
+#include "core/presentation/exporters/element_words.h"
+#include "core/teaching/coupling_check/coupling_check.h"
 #include "core/teaching/paper_check/paper_check.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {
@@ -78,10 +83,94 @@ std::variant<std::optional<PaperMatrix>, UsageError> matrixFrom(const Arguments&
       translated("There is no matrix \"%1\": %2.", {*name, listed(names, kAllNames, toTranslate("or"))})};
 }
 
+/// Which matrices of a controller `--matrix` asks for; std::nullopt for another name or none.
+struct ControllerChoice {
+  std::optional<CouplingMatrix> alone;  ///< none: both, as JSON
+};
+std::optional<ControllerChoice> controllerChoice(const Arguments& arguments) {
+  const auto name = arguments.value("--matrix");
+  if (name == "motor-to-joint") return ControllerChoice{CouplingMatrix::motorToJoint};
+  if (name == "joint-to-motor") return ControllerChoice{CouplingMatrix::jointToMotor};
+  if (name == "coupling") return ControllerChoice{};
+  return std::nullopt;
+}
+
+/// The joints that the rows or columns of a controller's matrix are of.
+std::variant<std::vector<JointOrdinal>, UsageError> controlledJoints(const AnalysisSnapshot& snapshot,
+                                                                     const ExactSolution& exact,
+                                                                     const Arguments& arguments) {
+  if (const auto named = arguments.value("--outputs")) {
+    auto joints = jointsNamed(*snapshot.mechanism, "--outputs", *named);
+    const auto* read = std::get_if<std::vector<JointOrdinal>>(&joints);
+    if (read != nullptr && read->size() != exact.inputs.size()) {
+      return UsageError{translated("There are %1 motors: name as many joints, not %2.",
+                                   {std::to_string(exact.inputs.size()), std::to_string(read->size())})};
+    }
+    return joints;
+  }
+  return usualJoints(exact, *snapshot.tree, *snapshot.mechanism).value();
+}
+
+std::string couplingText(const Mechanism& mechanism, const JointCoupling& coupling,
+                         const std::vector<CouplingFinding>& findings) {
+  const auto labels = [&](const std::vector<JointOrdinal>& joints) {
+    std::vector<std::string> names;
+    for (const JointOrdinal joint : joints) names.push_back(std::to_string(mechanism.jointLabel(joint)));
+    return listed(names, kAllNames);
+  };
+  std::string text =
+      translated("Motors %1, joints %2", {labels(coupling.motors), labels(coupling.joints)}) + '\n';
+  for (const CouplingFinding& each : findings)
+    text += "  " + each.sentence + (each.isError ? " [" + std::string(each.name) + ']' : "") + '\n';
+  return text;
+}
+
+/// A controller's matrices.
+int checkController(const Arguments& arguments, Mechanism mechanism, const std::string& path,
+                    std::string_view text, const ControllerChoice& choice) {
+  const auto written = readWrittenCoupling(text, choice.alone);
+  if (!written) {
+    std::cerr << diagnosticLines(path, written.error());
+    return kUsageOrFile;
+  }
+  const SnapshotPtr snapshot =
+      analyze(std::make_shared<const Mechanism>(std::move(mechanism)), 0, arguments.stop, {false});
+  if (!snapshot) return outOfTime(arguments, translated("the check"));
+  if (hasErrors(snapshot->diagnostics)) {
+    std::cerr << diagnosticLines(arguments.files.front(), snapshot->diagnostics);
+    return kMechanismErrors;
+  }
+  const ExactSolution* const exact =
+      snapshot->solved && snapshot->solved->exact ? &*snapshot->solved->exact : nullptr;
+  if (exact == nullptr || exact->inputs.empty() || (exact->matrix.empty() && !exact->outputs.empty())) {
+    std::cerr << "geargraph-cli check: "
+              << translated("There is no solution, because nothing can move or inputs are missing.") << '\n';
+    return kMechanismErrors;
+  }
+  auto joints = controlledJoints(*snapshot, *exact, arguments);
+  if (const auto* error = std::get_if<UsageError>(&joints)) return wrongUsage(kCheck, error->message);
+  const auto coupling = jointCoupling(*exact, std::get<std::vector<JointOrdinal>>(std::move(joints)));
+  if (!coupling) {
+    return wrongUsage(kCheck, translated("The speeds of these joints do not determine those of the motors."));
+  }
+  if (written->size != coupling->size()) {
+    return wrongUsage(kCheck, translated("The matrices have %1 rows, the train has %2 motors.",
+                                         {std::to_string(written->size), std::to_string(coupling->size())}));
+  }
+  const auto findings = checkWrittenCoupling(*snapshot->mechanism, *coupling, *written);
+  const bool isWrong =
+      std::any_of(findings.begin(), findings.end(), [](const CouplingFinding& each) { return each.isError; });
+  const int status = isWrong ? kMechanismErrors : kFine;
+  if (arguments.has("--json"))
+    return print(couplingCheckJson(*snapshot->mechanism, *coupling, findings), status);
+  return print(couplingText(*snapshot->mechanism, *coupling, findings), status);
+}
+
 int runCheck(const Arguments& arguments) {
   if (arguments.files.size() != 2)
     return wrongUsage(kCheck, translated("A mechanism and a file with a matrix or equations are needed."));
-  const auto kind = matrixFrom(arguments);
+  const auto choice = controllerChoice(arguments);
+  const auto kind = choice ? std::optional<PaperMatrix>() : matrixFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&kind)) return wrongUsage(kCheck, error->message);
   const auto loaded = loadOrSay(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
@@ -89,9 +178,14 @@ int runCheck(const Arguments& arguments) {
   const auto text = readFile(path, kLargestPaper);
   if (const auto* error = std::get_if<FileError>(&text)) return fileFailure(error->message);
   const auto& mechanism = std::get<Mechanism>(loaded);
+  const auto& bytes = std::get<std::string>(text);
+  if (choice || (!arguments.has("--matrix") && isWrittenCoupling(bytes)))
+    return checkController(arguments, mechanism, path, bytes, choice.value_or(ControllerChoice{}));
+  if (arguments.has("--outputs"))
+    return wrongUsage(kCheck, translated("--outputs belongs to the matrices of a controller."));
   if (mechanism.n() > kMaxExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(mechanism);
-  const auto verdict = checkPaper(source, std::get<std::string>(text), std::get<0>(kind), arguments.stop);
+  const auto verdict = checkPaper(source, bytes, std::get<0>(kind), arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, translated("the check"));
   if (!verdict) {
     const bool isOfPaper = verdict.error().front().line > 0;
@@ -108,7 +202,13 @@ constexpr std::array kCheckOptions = {
         "--matrix", "NAME",
         toTranslate(
             "which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p "
-            "or solution (recognised)")},
+            "or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both "
+            "as "
+            "JSON")},
+    Option{
+        "--outputs", "10,12,14",
+        toTranslate("of a controller: the joints of its rows or columns, by label (as export --to coupling "
+                    "takes them)")},
     Option{"--json", "", toTranslate("as JSON")},
 };
 
@@ -116,7 +216,7 @@ constexpr std::array kCheckOptions = {
 
 const Command kCheck = {
     "check",
-    "FILE PAPER [--matrix NAME] [--json]",
+    "FILE PAPER [--matrix NAME] [--outputs 10,12,14] [--json]",
     toTranslate("Compares a matrix or equations of yours with the derived ones; status 1 where they differ."),
     kCheckOptions,
     runCheck,

@@ -20,10 +20,10 @@ std::string writtenSeconds(double seconds) {
 }  // namespace
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze,   &kValidate, &kInputs,  &kStates, &kLevers,  &kStatics,
-                                           &kDynamics,  &kExport,   &kConvert, &kPose,   &kSummary, &kServe,
-                                           &kExercises, &kLesson,   &kCheck,   &kTeeth,  &kManual,  &kAtlas,
-                                           &kIdentify,  &kGearbox,  &kHardware};
+  static constexpr std::array kCommands = {
+      &kAnalyze,  &kValidate, &kInputs,  &kStates, &kLevers,   &kVibration, &kBacklash,  &kStatics,
+      &kDynamics, &kExport,   &kConvert, &kPose,   &kSummary,  &kServe,     &kExercises, &kLesson,
+      &kCheck,    &kTeeth,    &kManual,  &kAtlas,  &kIdentify, &kGearbox,   &kHardware};
   return kCommands;
 }
 

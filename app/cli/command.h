@@ -46,6 +46,8 @@ extern const Command kValidate;
 extern const Command kInputs;
 extern const Command kStates;
 extern const Command kLevers;
+extern const Command kVibration;
+extern const Command kBacklash;
 extern const Command kStatics;
 extern const Command kDynamics;
 extern const Command kExport;

@@ -36,10 +36,10 @@ std::optional<double> plainNumber(std::string_view text) {
   return valueOf(typedNumber(text));
 }
 std::optional<double> speedNumber(std::string_view text) {
-  return valueOf(quantityFromText(text, Quantity::speed));
+  return valueOf(quantityFromText(text, model::Quantity::speed));
 }
 std::optional<double> torqueNumber(std::string_view text) {
-  return valueOf(withUnitFromText(text, Quantity::torque));
+  return valueOf(withUnitFromText(text, model::Quantity::torque));
 }
 /// In rad.
 std::optional<double> angleNumber(std::string_view text) {

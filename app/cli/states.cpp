@@ -157,7 +157,7 @@ std::variant<Mechanism, UsageError> withTorqueOptions(Mechanism mechanism, const
   if (options.sharing) mechanism.sharing = options.sharing;
   const auto word = arguments.value("--torque");
   if (!word) return mechanism;
-  const auto torque = withUnitFromText(*word, Quantity::torque);
+  const auto torque = withUnitFromText(*word, model::Quantity::torque);
   if (!torque) return UsageError{translated("--torque is a torque like 100Nm, not \"%1\".", {*word})};
   Expected<Mechanism> next = withDriveTorque(std::move(mechanism), *torque);
   if (!next) return UsageError{next.error().front().message};

@@ -56,7 +56,7 @@ std::optional<LinkForce> forceFrom(const Mechanism& mechanism, LinkId link, std:
     if (!components.ends_with(unit)) continue;
     const auto force =
         tripleFrom(components.substr(0, components.size() - unit.size()), [&](std::string_view each) {
-          return withUnitFromText(std::string(each) + std::string(unit), Quantity::force);
+          return withUnitFromText(std::string(each) + std::string(unit), model::Quantity::force);
         });
     if (force && point) return LinkForce{link, *force, *point};
   }
@@ -70,7 +70,7 @@ std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_
   const std::string_view size = word.substr(std::min(equals + 1, word.size()));
   const auto& where = std::get<Place>(place);
   const auto* link = std::get_if<Balance::OnLink>(&where);
-  if (const auto torque = withUnitFromText(size, Quantity::torque)) {
+  if (const auto torque = withUnitFromText(size, model::Quantity::torque)) {
     if (link == nullptr) return Load{{}, JointTorque{std::get<JointId>(where), *torque}};
     return Load{{}, LinkTorque{link->link, link->axis, *torque}};
   }

@@ -7897,10 +7897,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>die Prüfung</translation>
     </message>
     <message>
-        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised)</source>
-        <translation>welche Matrix es ist: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p oder solution (wird erkannt)</translation>
-    </message>
-    <message>
         <source>Compares a matrix or equations of yours with the derived ones; status 1 where they differ.</source>
         <translation>Vergleicht eine Matrix oder Gleichungen von Ihnen mit den hergeleiteten; Status 1, wo sie abweichen.</translation>
     </message>
@@ -18042,14 +18038,6 @@ Radpaare / Steg: %3</translation>
         <translation>Die Geschwindigkeiten dieser Gelenke bestimmen die der Motoren nicht.</translation>
     </message>
     <message>
-        <source>--outputs: there is no turning joint &quot;%1&quot;.</source>
-        <translation>--outputs: Es gibt kein Drehgelenk „%1“.</translation>
-    </message>
-    <message>
-        <source>--outputs: joint %1 is named twice.</source>
-        <translation>--outputs: Gelenk %1 ist zweimal genannt.</translation>
-    </message>
-    <message>
         <source>There are %1 motors: name as many joints, not %2.</source>
         <translation>Es gibt %1 Motoren: Nennen Sie ebenso viele Gelenke, nicht %2.</translation>
     </message>
@@ -18160,6 +18148,394 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>That page for each variant as a package for learning platforms</source>
         <translation>Diese Seite je Variante als Paket für Lernplattformen</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number.</source>
+        <translation>%1 ist eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 past link %2</source>
+        <translation>%1 an Glied %2 vorbei</translation>
+    </message>
+    <message>
+        <source>--input is the label of a joint or of a moving link, not &quot;%1&quot;.</source>
+        <translation>--input ist die Nummer eines Gelenks oder eines bewegten Glieds, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--rpm is above 0.</source>
+        <translation>--rpm ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>At the given speed of the input shaft.</source>
+        <translation>Bei der angegebenen Drehzahl der Antriebswelle.</translation>
+    </message>
+    <message>
+        <source>Cycles for a turn of the input shaft, exactly.</source>
+        <translation>Schwingungen je Umdrehung der Antriebswelle, exakt.</translation>
+    </message>
+    <message>
+        <source>From stop to stop at the output, every mesh at its worst.</source>
+        <translation>Von Anschlag zu Anschlag am Abtrieb, jeder Eingriff im ungünstigsten Fall.</translation>
+    </message>
+    <message>
+        <source>Give --json or --csv.</source>
+        <translation>--json oder --csv angeben.</translation>
+    </message>
+    <message>
+        <source>Height and dashes tell what repeats, not how strongly.</source>
+        <translation>Höhe und Strichart sagen, was sich wiederholt, nicht wie stark.</translation>
+    </message>
+    <message>
+        <source>How far outputs turn while inputs are held, by the play of the teeth.</source>
+        <translation>Wie weit sich Abtriebe durch das Flankenspiel drehen, während die Antriebe gehalten werden.</translation>
+    </message>
+    <message>
+        <source>How far the input turns from stop to stop while the output is held.</source>
+        <translation>Wie weit sich der Antrieb von Anschlag zu Anschlag dreht, während der Abtrieb gehalten wird.</translation>
+    </message>
+    <message>
+        <source>How often the modulating frequency is added to the harmonic, or taken from it.</source>
+        <translation>Wie oft die modulierende Frequenz zur Harmonischen addiert oder von ihr abgezogen wird.</translation>
+    </message>
+    <message>
+        <source>Meshes that follow from others share their play; the tightest decides.</source>
+        <translation>Eingriffe, die aus anderen folgen, teilen sich ihr Spiel; der engste entscheidet.</translation>
+    </message>
+    <message>
+        <source>No input turns, so there are no frequencies.</source>
+        <translation>Kein Antrieb dreht sich, darum gibt es keine Frequenzen.</translation>
+    </message>
+    <message>
+        <source>No joint follows an input.</source>
+        <translation>Kein Gelenk folgt einem Antrieb.</translation>
+    </message>
+    <message>
+        <source>No lost motion is known: the train has no solution, or is too large.</source>
+        <translation>Kein Umkehrspiel bekannt: Das Getriebe hat keine Lösung oder ist zu groß.</translation>
+    </message>
+    <message>
+        <source>No motion is known, so there are no frequencies.</source>
+        <translation>Keine Bewegung ist bekannt, darum gibt es keine Frequenzen.</translation>
+    </message>
+    <message>
+        <source>The frequencies of shafts, tooth meshes and planets, as ratios to the input shaft.</source>
+        <translation>Die Frequenzen von Wellen, Zahneingriffen und Planeten, als Verhältnisse zur Antriebswelle.</translation>
+    </message>
+    <message>
+        <source>The input that it is carried back to, by label.</source>
+        <translation>Der Antrieb, auf den es bezogen ist, nach Nummer.</translation>
+    </message>
+    <message>
+        <source>The joint that turns while the inputs are held, by label.</source>
+        <translation>Das Gelenk, das sich dreht, während die Antriebe gehalten werden, nach Nummer.</translation>
+    </message>
+    <message>
+        <source>The mesh that contributes most, by label.</source>
+        <translation>Der Eingriff, der am meisten beiträgt, nach Nummer.</translation>
+    </message>
+    <message>
+        <source>The multiple of the tooth mesh.</source>
+        <translation>Das Vielfache des Zahneingriffs.</translation>
+    </message>
+    <message>
+        <source>The root of the sum of squares of the parts of all meshes.</source>
+        <translation>Die Wurzel aus der Summe der Quadrate der Anteile aller Eingriffe.</translation>
+    </message>
+    <message>
+        <source>The same in minutes of arc.</source>
+        <translation>Dasselbe in Winkelminuten.</translation>
+    </message>
+    <message>
+        <source>The shaft does not turn (%1).</source>
+        <translation>Die Welle dreht sich nicht (%1).</translation>
+    </message>
+    <message>
+        <source>The shaft has no speed of its own about one axis (%1).</source>
+        <translation>Die Welle hat keine bestimmte Drehzahl um eine Achse (%1).</translation>
+    </message>
+    <message>
+        <source>The state whose couplings are engaged.</source>
+        <translation>Der Gang, dessen Kupplungen und Bremsen geschlossen sind.</translation>
+    </message>
+    <message>
+        <source>What is lost of the worst case if that mesh has no play.</source>
+        <translation>Was vom ungünstigsten Fall entfällt, wenn dieser Eingriff kein Spiel hat.</translation>
+    </message>
+    <message>
+        <source>What repeats.</source>
+        <translation>Was sich wiederholt.</translation>
+    </message>
+    <message>
+        <source>Where it repeats, by label.</source>
+        <translation>Wo es sich wiederholt, nach Nummer.</translation>
+    </message>
+    <message>
+        <source>as CSV</source>
+        <translation>als CSV</translation>
+    </message>
+    <message>
+        <source>assembly phase</source>
+        <translation>Montagephase</translation>
+    </message>
+    <message>
+        <source>at the input</source>
+        <translation>am Antrieb</translation>
+    </message>
+    <message>
+        <source>cycles for a turn of the shaft (%1)</source>
+        <translation>Schwingungen je Umdrehung der Welle (%1)</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>harmonic</source>
+        <translation>Harmonische</translation>
+    </message>
+    <message>
+        <source>how many planets one stands for that is drawn alone (1)</source>
+        <translation>für wie viele Planeten ein einzeln gezeichneter steht (1)</translation>
+    </message>
+    <message>
+        <source>hunting tooth</source>
+        <translation>Zahnpaarung (Hunting Tooth)</translation>
+    </message>
+    <message>
+        <source>input shaft: joint %1</source>
+        <translation>Antriebswelle: Gelenk %1</translation>
+    </message>
+    <message>
+        <source>input shaft: link %1</source>
+        <translation>Antriebswelle: Glied %1</translation>
+    </message>
+    <message>
+        <source>its part</source>
+        <translation>sein Anteil</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>mesh %1, %2 planets past link %3</source>
+        <translation>Eingriff %1, %2 Planeten an Glied %3 vorbei</translation>
+    </message>
+    <message>
+        <source>mesh %1, turns of link %2</source>
+        <translation>Eingriff %1, Umdrehungen von Glied %2</translation>
+    </message>
+    <message>
+        <source>multiples of each tooth mesh (1)</source>
+        <translation>Vielfache jedes Zahneingriffs (1)</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>on each side of each multiple (1)</source>
+        <translation>auf jeder Seite jedes Vielfachen (1)</translation>
+    </message>
+    <message>
+        <source>orders</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>planets pass</source>
+        <translation>Planetendurchgang</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>Welle</translation>
+    </message>
+    <message>
+        <source>sideband</source>
+        <translation>Seitenband</translation>
+    </message>
+    <message>
+        <source>the frequencies</source>
+        <translation>die Frequenzen</translation>
+    </message>
+    <message>
+        <source>the joint or link (by label) that ratios are of, instead of the first input or the state&apos;s drive</source>
+        <translation>das Gelenk oder Glied (nach Nummer), auf das Verhältnisse bezogen sind, statt des ersten Antriebs oder dem des Gangs</translation>
+    </message>
+    <message>
+        <source>the lost motion</source>
+        <translation>das Umkehrspiel</translation>
+    </message>
+    <message>
+        <source>the speed of the input shaft: frequencies also in Hz</source>
+        <translation>die Drehzahl der Antriebswelle: Frequenzen auch in Hz</translation>
+    </message>
+    <message>
+        <source>tooth mesh</source>
+        <translation>Zahneingriff</translation>
+    </message>
+    <message>
+        <source>turns on its bearer</source>
+        <translation>Drehung auf dem Träger</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>ungünstigst</translation>
+    </message>
+    <message>
+        <source>A wheel without teeth in one plane has no profile.</source>
+        <translation>Ein Rad ohne Zähne in einer Ebene hat kein Profil.</translation>
+    </message>
+    <message>
+        <source>Left out, as they have no teeth in one plane: %1.</source>
+        <translation>Weggelassen, da ihre Zähne nicht in einer Ebene liegen: %1.</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>die Profile</translation>
+    </message>
+    <message>
+        <source>Profiles of wheels (DXF)</source>
+        <translation>Profile der Räder (DXF)</translation>
+    </message>
+    <message>
+        <source>profiles of wheels</source>
+        <translation>Profile von Rädern</translation>
+    </message>
+    <message>
+        <source>Cutting profiles</source>
+        <translation>Schnittprofile</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 um %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 should be %4.</source>
+        <translation>%1, %2: %3 muss %4 sein.</translation>
+    </message>
+    <message>
+        <source>%1, %2: the sign of %3 is wrong; it is %4.</source>
+        <translation>%1, %2: das Vorzeichen von %3 ist falsch; es ist %4.</translation>
+    </message>
+    <message>
+        <source>%1: joint %2 is named twice.</source>
+        <translation>%1: Gelenk %2 ist zweimal genannt.</translation>
+    </message>
+    <message>
+        <source>%1: there is no turning joint &quot;%2&quot;.</source>
+        <translation>%1: Es gibt kein Drehgelenk „%2“.</translation>
+    </message>
+    <message>
+        <source>--outputs belongs to the matrices of a controller.</source>
+        <translation>--outputs gehört zu den Matrizen einer Steuerung.</translation>
+    </message>
+    <message>
+        <source>A matrix has at most %1 rows.</source>
+        <translation>Eine Matrix hat höchstens %1 Zeilen.</translation>
+    </message>
+    <message>
+        <source>A matrix is an array of rows.</source>
+        <translation>Eine Matrix ist ein Feld von Zeilen.</translation>
+    </message>
+    <message>
+        <source>A row is an array of numbers.</source>
+        <translation>Eine Zeile ist ein Feld von Zahlen.</translation>
+    </message>
+    <message>
+        <source>An object or an array of rows is needed.</source>
+        <translation>Ein Objekt oder ein Feld von Zeilen wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>Directions differ, too.</source>
+        <translation>Auch Drehrichtungen weichen ab.</translation>
+    </message>
+    <message>
+        <source>Matrix from %1: %2</source>
+        <translation>Matrix von %1: %2</translation>
+    </message>
+    <message>
+        <source>Motors %1, joints %2</source>
+        <translation>Motoren %1, Gelenke %2</translation>
+    </message>
+    <message>
+        <source>Row %1 has %2 numbers; the matrix is square, with %3 rows.</source>
+        <translation>Zeile %1 hat %2 Zahlen; die Matrix ist quadratisch, mit %3 Zeilen.</translation>
+    </message>
+    <message>
+        <source>Say which matrix this is: --matrix motor-to-joint or joint-to-motor.</source>
+        <translation>Angeben, welche Matrix das ist: --matrix motor-to-joint oder joint-to-motor.</translation>
+    </message>
+    <message>
+        <source>The matrices and offsets are of different sizes.</source>
+        <translation>Die Matrizen und Versätze sind verschieden groß.</translation>
+    </message>
+    <message>
+        <source>The matrices have %1 rows, the train has %2 motors.</source>
+        <translation>Die Matrizen haben %1 Zeilen, das Getriebe hat %2 Motoren.</translation>
+    </message>
+    <message>
+        <source>The offsets do not cancel: motor offset %1 is %2, the joints&apos; offsets ask for %3.</source>
+        <translation>Die Versätze heben sich nicht auf: Motorversatz %1 ist %2, die Versätze der Gelenke verlangen %3.</translation>
+    </message>
+    <message>
+        <source>The two matrices are not inverse of each other: their product has %1 in row %2, column %3, not %4.</source>
+        <translation>Die beiden Matrizen sind nicht zueinander invers: Ihr Produkt hat %1 in Zeile %2, Spalte %3, nicht %4.</translation>
+    </message>
+    <message>
+        <source>There is neither &quot;motorToJoint&quot; nor &quot;jointToMotor&quot;.</source>
+        <translation>Es gibt weder „motorToJoint“ noch „jointToMotor“.</translation>
+    </message>
+    <message>
+        <source>There is no row of numbers.</source>
+        <translation>Es gibt keine Zeile mit Zahlen.</translation>
+    </message>
+    <message>
+        <source>all is right but for factors: %1.</source>
+        <translation>alles stimmt bis auf Faktoren: %1.</translation>
+    </message>
+    <message>
+        <source>all would be right if these turned the other way: %1.</source>
+        <translation>alles stimmte, wenn sich diese andersherum drehten: %1.</translation>
+    </message>
+    <message>
+        <source>all would be right with rows for %1 and columns for %2.</source>
+        <translation>alles stimmte mit Zeilen für %1 und Spalten für %2.</translation>
+    </message>
+    <message>
+        <source>joints to motors</source>
+        <translation>Gelenken zu Motoren</translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <translation>Motor %1</translation>
+    </message>
+    <message>
+        <source>motors to joints</source>
+        <translation>Motoren zu Gelenken</translation>
+    </message>
+    <message>
+        <source>of a controller: the joints of its rows or columns, by label (as export --to coupling takes them)</source>
+        <translation>einer Steuerung: die Gelenke ihrer Zeilen oder Spalten, nach Nummer (wie export --to coupling sie nimmt)</translation>
+    </message>
+    <message>
+        <source>rows and columns are exchanged: this is the transpose.</source>
+        <translation>Zeilen und Spalten sind vertauscht: Das ist die Transponierte.</translation>
+    </message>
+    <message>
+        <source>this is the matrix from %1: the inverse.</source>
+        <translation>das ist die Matrix von %1: die Inverse.</translation>
+    </message>
+    <message>
+        <source>this is the matrix of torques, the transposed inverse.</source>
+        <translation>das ist die Matrix der Drehmomente, die transponierte Inverse.</translation>
+    </message>
+    <message>
+        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both as JSON</source>
+        <translation>welche Matrix es ist: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p oder solution (wird erkannt); einer Steuerung: motor-to-joint, joint-to-motor, oder coupling für beide als JSON</translation>
     </message>
 </context>
 <context>

@@ -7897,10 +7897,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>la comprobación</translation>
     </message>
     <message>
-        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised)</source>
-        <translation>qué matriz es: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p o solution (se reconoce)</translation>
-    </message>
-    <message>
         <source>Compares a matrix or equations of yours with the derived ones; status 1 where they differ.</source>
         <translation>Compara una matriz o ecuaciones suyas con las deducidas; estado 1 donde difieren.</translation>
     </message>
@@ -18042,14 +18038,6 @@ pares / portasatélites: %3</translation>
         <translation>Las velocidades de estas articulaciones no determinan las de los motores.</translation>
     </message>
     <message>
-        <source>--outputs: there is no turning joint &quot;%1&quot;.</source>
-        <translation>--outputs: no hay ninguna articulación giratoria «%1».</translation>
-    </message>
-    <message>
-        <source>--outputs: joint %1 is named twice.</source>
-        <translation>--outputs: la articulación %1 se nombra dos veces.</translation>
-    </message>
-    <message>
         <source>There are %1 motors: name as many joints, not %2.</source>
         <translation>Hay %1 motores: nombre el mismo número de articulaciones, no %2.</translation>
     </message>
@@ -18160,6 +18148,394 @@ pares / portasatélites: %3</translation>
     <message>
         <source>That page for each variant as a package for learning platforms</source>
         <translation>Esa página por variante como paquete para plataformas de aprendizaje</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number.</source>
+        <translation>%1 es un número entero.</translation>
+    </message>
+    <message>
+        <source>%1 past link %2</source>
+        <translation>%1 ante el eslabón %2</translation>
+    </message>
+    <message>
+        <source>--input is the label of a joint or of a moving link, not &quot;%1&quot;.</source>
+        <translation>--input es el número de una articulación o de un eslabón móvil, no «%1».</translation>
+    </message>
+    <message>
+        <source>--rpm is above 0.</source>
+        <translation>--rpm es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>At the given speed of the input shaft.</source>
+        <translation>A la velocidad dada del eje de entrada.</translation>
+    </message>
+    <message>
+        <source>Cycles for a turn of the input shaft, exactly.</source>
+        <translation>Ciclos por vuelta del eje de entrada, exactamente.</translation>
+    </message>
+    <message>
+        <source>From stop to stop at the output, every mesh at its worst.</source>
+        <translation>De tope a tope en la salida, con cada engrane en su peor caso.</translation>
+    </message>
+    <message>
+        <source>Give --json or --csv.</source>
+        <translation>Indique --json o --csv.</translation>
+    </message>
+    <message>
+        <source>Height and dashes tell what repeats, not how strongly.</source>
+        <translation>La altura y el trazo indican qué se repite, no con qué intensidad.</translation>
+    </message>
+    <message>
+        <source>How far outputs turn while inputs are held, by the play of the teeth.</source>
+        <translation>Cuánto giran las salidas por el juego de los dientes mientras las entradas están fijas.</translation>
+    </message>
+    <message>
+        <source>How far the input turns from stop to stop while the output is held.</source>
+        <translation>Cuánto gira la entrada de tope a tope mientras la salida está fija.</translation>
+    </message>
+    <message>
+        <source>How often the modulating frequency is added to the harmonic, or taken from it.</source>
+        <translation>Cuántas veces se suma al armónico, o se le resta, la frecuencia moduladora.</translation>
+    </message>
+    <message>
+        <source>Meshes that follow from others share their play; the tightest decides.</source>
+        <translation>Los engranes que se siguen de otros comparten su juego; decide el más ajustado.</translation>
+    </message>
+    <message>
+        <source>No input turns, so there are no frequencies.</source>
+        <translation>Ninguna entrada gira, así que no hay frecuencias.</translation>
+    </message>
+    <message>
+        <source>No joint follows an input.</source>
+        <translation>Ninguna articulación sigue a una entrada.</translation>
+    </message>
+    <message>
+        <source>No lost motion is known: the train has no solution, or is too large.</source>
+        <translation>No se conoce el movimiento perdido: el tren no tiene solución o es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>No motion is known, so there are no frequencies.</source>
+        <translation>No se conoce ningún movimiento, así que no hay frecuencias.</translation>
+    </message>
+    <message>
+        <source>The frequencies of shafts, tooth meshes and planets, as ratios to the input shaft.</source>
+        <translation>Las frecuencias de ejes, engranes y satélites, como razones respecto al eje de entrada.</translation>
+    </message>
+    <message>
+        <source>The input that it is carried back to, by label.</source>
+        <translation>La entrada a la que se refiere, por número.</translation>
+    </message>
+    <message>
+        <source>The joint that turns while the inputs are held, by label.</source>
+        <translation>La articulación que gira mientras las entradas están fijas, por número.</translation>
+    </message>
+    <message>
+        <source>The mesh that contributes most, by label.</source>
+        <translation>El engrane que más contribuye, por número.</translation>
+    </message>
+    <message>
+        <source>The multiple of the tooth mesh.</source>
+        <translation>El múltiplo del engrane.</translation>
+    </message>
+    <message>
+        <source>The root of the sum of squares of the parts of all meshes.</source>
+        <translation>La raíz de la suma de los cuadrados de las partes de todos los engranes.</translation>
+    </message>
+    <message>
+        <source>The same in minutes of arc.</source>
+        <translation>Lo mismo en minutos de arco.</translation>
+    </message>
+    <message>
+        <source>The shaft does not turn (%1).</source>
+        <translation>El eje no gira (%1).</translation>
+    </message>
+    <message>
+        <source>The shaft has no speed of its own about one axis (%1).</source>
+        <translation>El eje no tiene una velocidad determinada alrededor de un eje (%1).</translation>
+    </message>
+    <message>
+        <source>The state whose couplings are engaged.</source>
+        <translation>El estado cuyos acoplamientos están accionados.</translation>
+    </message>
+    <message>
+        <source>What is lost of the worst case if that mesh has no play.</source>
+        <translation>Lo que se pierde del peor caso si ese engrane no tiene juego.</translation>
+    </message>
+    <message>
+        <source>What repeats.</source>
+        <translation>Qué se repite.</translation>
+    </message>
+    <message>
+        <source>Where it repeats, by label.</source>
+        <translation>Dónde se repite, por número.</translation>
+    </message>
+    <message>
+        <source>as CSV</source>
+        <translation>como CSV</translation>
+    </message>
+    <message>
+        <source>assembly phase</source>
+        <translation>fase de montaje</translation>
+    </message>
+    <message>
+        <source>at the input</source>
+        <translation>en la entrada</translation>
+    </message>
+    <message>
+        <source>cycles for a turn of the shaft (%1)</source>
+        <translation>ciclos por vuelta del eje (%1)</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>frecuencia</translation>
+    </message>
+    <message>
+        <source>harmonic</source>
+        <translation>armónico</translation>
+    </message>
+    <message>
+        <source>how many planets one stands for that is drawn alone (1)</source>
+        <translation>a cuántos satélites representa uno dibujado solo (1)</translation>
+    </message>
+    <message>
+        <source>hunting tooth</source>
+        <translation>diente errante</translation>
+    </message>
+    <message>
+        <source>input shaft: joint %1</source>
+        <translation>eje de entrada: articulación %1</translation>
+    </message>
+    <message>
+        <source>input shaft: link %1</source>
+        <translation>eje de entrada: eslabón %1</translation>
+    </message>
+    <message>
+        <source>its part</source>
+        <translation>su parte</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>probable</translation>
+    </message>
+    <message>
+        <source>mesh %1, %2 planets past link %3</source>
+        <translation>engrane %1, %2 satélites ante el eslabón %3</translation>
+    </message>
+    <message>
+        <source>mesh %1, turns of link %2</source>
+        <translation>engrane %1, vueltas del eslabón %2</translation>
+    </message>
+    <message>
+        <source>multiples of each tooth mesh (1)</source>
+        <translation>múltiplos de cada engrane (1)</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>on each side of each multiple (1)</source>
+        <translation>a cada lado de cada múltiplo (1)</translation>
+    </message>
+    <message>
+        <source>orders</source>
+        <translation>órdenes</translation>
+    </message>
+    <message>
+        <source>planets pass</source>
+        <translation>paso de satélites</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>eje</translation>
+    </message>
+    <message>
+        <source>sideband</source>
+        <translation>banda lateral</translation>
+    </message>
+    <message>
+        <source>the frequencies</source>
+        <translation>las frecuencias</translation>
+    </message>
+    <message>
+        <source>the joint or link (by label) that ratios are of, instead of the first input or the state&apos;s drive</source>
+        <translation>la articulación o el eslabón (por número) al que se refieren las razones, en lugar de la primera entrada o del motor del estado</translation>
+    </message>
+    <message>
+        <source>the lost motion</source>
+        <translation>el movimiento perdido</translation>
+    </message>
+    <message>
+        <source>the speed of the input shaft: frequencies also in Hz</source>
+        <translation>la velocidad del eje de entrada: frecuencias también en Hz</translation>
+    </message>
+    <message>
+        <source>tooth mesh</source>
+        <translation>engrane</translation>
+    </message>
+    <message>
+        <source>turns on its bearer</source>
+        <translation>giro sobre su portador</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>peor</translation>
+    </message>
+    <message>
+        <source>A wheel without teeth in one plane has no profile.</source>
+        <translation>Una rueda sin dientes en un plano no tiene perfil.</translation>
+    </message>
+    <message>
+        <source>Left out, as they have no teeth in one plane: %1.</source>
+        <translation>Se omiten, pues no tienen los dientes en un plano: %1.</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>los perfiles</translation>
+    </message>
+    <message>
+        <source>Profiles of wheels (DXF)</source>
+        <translation>Perfiles de ruedas (DXF)</translation>
+    </message>
+    <message>
+        <source>profiles of wheels</source>
+        <translation>perfiles de ruedas</translation>
+    </message>
+    <message>
+        <source>Cutting profiles</source>
+        <translation>Perfiles de corte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 por %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 should be %4.</source>
+        <translation>%1, %2: %3 debe ser %4.</translation>
+    </message>
+    <message>
+        <source>%1, %2: the sign of %3 is wrong; it is %4.</source>
+        <translation>%1, %2: el signo de %3 es incorrecto; es %4.</translation>
+    </message>
+    <message>
+        <source>%1: joint %2 is named twice.</source>
+        <translation>%1: la articulación %2 está nombrada dos veces.</translation>
+    </message>
+    <message>
+        <source>%1: there is no turning joint &quot;%2&quot;.</source>
+        <translation>%1: no hay ninguna articulación giratoria «%2».</translation>
+    </message>
+    <message>
+        <source>--outputs belongs to the matrices of a controller.</source>
+        <translation>--outputs pertenece a las matrices de un controlador.</translation>
+    </message>
+    <message>
+        <source>A matrix has at most %1 rows.</source>
+        <translation>Una matriz tiene como máximo %1 filas.</translation>
+    </message>
+    <message>
+        <source>A matrix is an array of rows.</source>
+        <translation>Una matriz es un arreglo de filas.</translation>
+    </message>
+    <message>
+        <source>A row is an array of numbers.</source>
+        <translation>Una fila es un arreglo de números.</translation>
+    </message>
+    <message>
+        <source>An object or an array of rows is needed.</source>
+        <translation>Se necesita un objeto o un arreglo de filas.</translation>
+    </message>
+    <message>
+        <source>Directions differ, too.</source>
+        <translation>También difieren los sentidos de giro.</translation>
+    </message>
+    <message>
+        <source>Matrix from %1: %2</source>
+        <translation>Matriz de %1: %2</translation>
+    </message>
+    <message>
+        <source>Motors %1, joints %2</source>
+        <translation>Motores %1, articulaciones %2</translation>
+    </message>
+    <message>
+        <source>Row %1 has %2 numbers; the matrix is square, with %3 rows.</source>
+        <translation>La fila %1 tiene %2 números; la matriz es cuadrada, con %3 filas.</translation>
+    </message>
+    <message>
+        <source>Say which matrix this is: --matrix motor-to-joint or joint-to-motor.</source>
+        <translation>Indique qué matriz es: --matrix motor-to-joint o joint-to-motor.</translation>
+    </message>
+    <message>
+        <source>The matrices and offsets are of different sizes.</source>
+        <translation>Las matrices y los desfases son de tamaños distintos.</translation>
+    </message>
+    <message>
+        <source>The matrices have %1 rows, the train has %2 motors.</source>
+        <translation>Las matrices tienen %1 filas, el tren tiene %2 motores.</translation>
+    </message>
+    <message>
+        <source>The offsets do not cancel: motor offset %1 is %2, the joints&apos; offsets ask for %3.</source>
+        <translation>Los desfases no se cancelan: el desfase del motor %1 es %2, los de las articulaciones piden %3.</translation>
+    </message>
+    <message>
+        <source>The two matrices are not inverse of each other: their product has %1 in row %2, column %3, not %4.</source>
+        <translation>Las dos matrices no son inversas entre sí: su producto tiene %1 en la fila %2, columna %3, no %4.</translation>
+    </message>
+    <message>
+        <source>There is neither &quot;motorToJoint&quot; nor &quot;jointToMotor&quot;.</source>
+        <translation>No hay ni «motorToJoint» ni «jointToMotor».</translation>
+    </message>
+    <message>
+        <source>There is no row of numbers.</source>
+        <translation>No hay ninguna fila de números.</translation>
+    </message>
+    <message>
+        <source>all is right but for factors: %1.</source>
+        <translation>todo es correcto salvo factores: %1.</translation>
+    </message>
+    <message>
+        <source>all would be right if these turned the other way: %1.</source>
+        <translation>todo sería correcto si estos giraran al revés: %1.</translation>
+    </message>
+    <message>
+        <source>all would be right with rows for %1 and columns for %2.</source>
+        <translation>todo sería correcto con filas para %1 y columnas para %2.</translation>
+    </message>
+    <message>
+        <source>joints to motors</source>
+        <translation>articulaciones a motores</translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <translation>motor %1</translation>
+    </message>
+    <message>
+        <source>motors to joints</source>
+        <translation>motores a articulaciones</translation>
+    </message>
+    <message>
+        <source>of a controller: the joints of its rows or columns, by label (as export --to coupling takes them)</source>
+        <translation>de un controlador: las articulaciones de sus filas o columnas, por número (como las toma export --to coupling)</translation>
+    </message>
+    <message>
+        <source>rows and columns are exchanged: this is the transpose.</source>
+        <translation>filas y columnas están intercambiadas: es la traspuesta.</translation>
+    </message>
+    <message>
+        <source>this is the matrix from %1: the inverse.</source>
+        <translation>es la matriz de %1: la inversa.</translation>
+    </message>
+    <message>
+        <source>this is the matrix of torques, the transposed inverse.</source>
+        <translation>es la matriz de pares, la inversa traspuesta.</translation>
+    </message>
+    <message>
+        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both as JSON</source>
+        <translation>qué matriz es: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p o solution (se reconoce); de un controlador: motor-to-joint, joint-to-motor, o coupling para ambas como JSON</translation>
     </message>
 </context>
 <context>

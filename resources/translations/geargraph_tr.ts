@@ -7896,10 +7896,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>denetim</translation>
     </message>
     <message>
-        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised)</source>
-        <translation>hangi matris olduğu: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p veya solution (tanınır)</translation>
-    </message>
-    <message>
         <source>Compares a matrix or equations of yours with the derived ones; status 1 where they differ.</source>
         <translation>Sizin bir matrisinizi ya da denklemlerinizi türetilenlerle karşılaştırır; farklıysa durum 1.</translation>
     </message>
@@ -18041,14 +18037,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>Bu eklemlerin hızları motorların hızlarını belirlemiyor.</translation>
     </message>
     <message>
-        <source>--outputs: there is no turning joint &quot;%1&quot;.</source>
-        <translation>--outputs: “%1” diye bir döner eklem yok.</translation>
-    </message>
-    <message>
-        <source>--outputs: joint %1 is named twice.</source>
-        <translation>--outputs: %1 eklemi iki kez anılıyor.</translation>
-    </message>
-    <message>
         <source>There are %1 motors: name as many joints, not %2.</source>
         <translation>%1 motor var: %2 değil, bir o kadar eklem adı verin.</translation>
     </message>
@@ -18159,6 +18147,394 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>That page for each variant as a package for learning platforms</source>
         <translation>Her seçenek için o sayfa, öğrenme ortamları için paket olarak</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number.</source>
+        <translation>%1 bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>%1 past link %2</source>
+        <translation>%1, uzuv %2 önünden</translation>
+    </message>
+    <message>
+        <source>--input is the label of a joint or of a moving link, not &quot;%1&quot;.</source>
+        <translation>--input bir mafsalın veya hareketli bir uzvun numarasıdır, &quot;%1&quot; değil.</translation>
+    </message>
+    <message>
+        <source>--rpm is above 0.</source>
+        <translation>--rpm 0&apos;dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>At the given speed of the input shaft.</source>
+        <translation>Giriş milinin verilen hızında.</translation>
+    </message>
+    <message>
+        <source>Cycles for a turn of the input shaft, exactly.</source>
+        <translation>Giriş milinin bir turu başına çevrim, tam olarak.</translation>
+    </message>
+    <message>
+        <source>From stop to stop at the output, every mesh at its worst.</source>
+        <translation>Çıkışta dayanaktan dayanağa, her eş çalışma en kötü durumda.</translation>
+    </message>
+    <message>
+        <source>Give --json or --csv.</source>
+        <translation>--json veya --csv verin.</translation>
+    </message>
+    <message>
+        <source>Height and dashes tell what repeats, not how strongly.</source>
+        <translation>Yükseklik ve çizgi türü neyin tekrarlandığını gösterir, ne kadar güçlü olduğunu değil.</translation>
+    </message>
+    <message>
+        <source>How far outputs turn while inputs are held, by the play of the teeth.</source>
+        <translation>Girişler tutulurken çıkışların diş boşluğu nedeniyle ne kadar döndüğü.</translation>
+    </message>
+    <message>
+        <source>How far the input turns from stop to stop while the output is held.</source>
+        <translation>Çıkış tutulurken girişin dayanaktan dayanağa ne kadar döndüğü.</translation>
+    </message>
+    <message>
+        <source>How often the modulating frequency is added to the harmonic, or taken from it.</source>
+        <translation>Modüle eden frekansın harmoniğe kaç kez eklendiği ya da ondan çıkarıldığı.</translation>
+    </message>
+    <message>
+        <source>Meshes that follow from others share their play; the tightest decides.</source>
+        <translation>Diğerlerinden çıkan eş çalışmalar boşluklarını paylaşır; en dar olan belirler.</translation>
+    </message>
+    <message>
+        <source>No input turns, so there are no frequencies.</source>
+        <translation>Hiçbir giriş dönmüyor, bu yüzden frekans yok.</translation>
+    </message>
+    <message>
+        <source>No joint follows an input.</source>
+        <translation>Hiçbir mafsal bir girişi izlemiyor.</translation>
+    </message>
+    <message>
+        <source>No lost motion is known: the train has no solution, or is too large.</source>
+        <translation>Kayıp hareket bilinmiyor: düzeneğin çözümü yok ya da çok büyük.</translation>
+    </message>
+    <message>
+        <source>No motion is known, so there are no frequencies.</source>
+        <translation>Hareket bilinmiyor, bu yüzden frekans yok.</translation>
+    </message>
+    <message>
+        <source>The frequencies of shafts, tooth meshes and planets, as ratios to the input shaft.</source>
+        <translation>Millerin, diş kavramalarının ve gezegenlerin frekansları, giriş miline oran olarak.</translation>
+    </message>
+    <message>
+        <source>The input that it is carried back to, by label.</source>
+        <translation>Geri taşındığı giriş, numarasıyla.</translation>
+    </message>
+    <message>
+        <source>The joint that turns while the inputs are held, by label.</source>
+        <translation>Girişler tutulurken dönen mafsal, numarasıyla.</translation>
+    </message>
+    <message>
+        <source>The mesh that contributes most, by label.</source>
+        <translation>En çok katkıda bulunan eş çalışma, numarasıyla.</translation>
+    </message>
+    <message>
+        <source>The multiple of the tooth mesh.</source>
+        <translation>Diş kavrama frekansının katı.</translation>
+    </message>
+    <message>
+        <source>The root of the sum of squares of the parts of all meshes.</source>
+        <translation>Tüm eş çalışmaların paylarının kareleri toplamının karekökü.</translation>
+    </message>
+    <message>
+        <source>The same in minutes of arc.</source>
+        <translation>Aynısı yay dakikası olarak.</translation>
+    </message>
+    <message>
+        <source>The shaft does not turn (%1).</source>
+        <translation>Mil dönmüyor (%1).</translation>
+    </message>
+    <message>
+        <source>The shaft has no speed of its own about one axis (%1).</source>
+        <translation>Milin tek bir eksen etrafında belirli bir hızı yok (%1).</translation>
+    </message>
+    <message>
+        <source>The state whose couplings are engaged.</source>
+        <translation>Kavramaları devrede olan durum.</translation>
+    </message>
+    <message>
+        <source>What is lost of the worst case if that mesh has no play.</source>
+        <translation>O eş çalışmada boşluk olmasaydı en kötü durumdan eksilecek olan.</translation>
+    </message>
+    <message>
+        <source>What repeats.</source>
+        <translation>Neyin tekrarlandığı.</translation>
+    </message>
+    <message>
+        <source>Where it repeats, by label.</source>
+        <translation>Nerede tekrarlandığı, numarasıyla.</translation>
+    </message>
+    <message>
+        <source>as CSV</source>
+        <translation>CSV olarak</translation>
+    </message>
+    <message>
+        <source>assembly phase</source>
+        <translation>montaj fazı</translation>
+    </message>
+    <message>
+        <source>at the input</source>
+        <translation>girişte</translation>
+    </message>
+    <message>
+        <source>cycles for a turn of the shaft (%1)</source>
+        <translation>milin bir turu başına çevrim (%1)</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>frekans</translation>
+    </message>
+    <message>
+        <source>harmonic</source>
+        <translation>harmonik</translation>
+    </message>
+    <message>
+        <source>how many planets one stands for that is drawn alone (1)</source>
+        <translation>tek çizilen bir gezegenin kaç gezegen yerine geçtiği (1)</translation>
+    </message>
+    <message>
+        <source>hunting tooth</source>
+        <translation>av dişi</translation>
+    </message>
+    <message>
+        <source>input shaft: joint %1</source>
+        <translation>giriş mili: mafsal %1</translation>
+    </message>
+    <message>
+        <source>input shaft: link %1</source>
+        <translation>giriş mili: uzuv %1</translation>
+    </message>
+    <message>
+        <source>its part</source>
+        <translation>payı</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>olası</translation>
+    </message>
+    <message>
+        <source>mesh %1, %2 planets past link %3</source>
+        <translation>eş çalışma %1, %2 gezegen uzuv %3 önünden</translation>
+    </message>
+    <message>
+        <source>mesh %1, turns of link %2</source>
+        <translation>eş çalışma %1, uzuv %2 dönüşleri</translation>
+    </message>
+    <message>
+        <source>multiples of each tooth mesh (1)</source>
+        <translation>her diş kavramasının katları (1)</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>nerede</translation>
+    </message>
+    <message>
+        <source>on each side of each multiple (1)</source>
+        <translation>her katın her yanında (1)</translation>
+    </message>
+    <message>
+        <source>orders</source>
+        <translation>mertebe</translation>
+    </message>
+    <message>
+        <source>planets pass</source>
+        <translation>gezegen geçişi</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>mil</translation>
+    </message>
+    <message>
+        <source>sideband</source>
+        <translation>yan bant</translation>
+    </message>
+    <message>
+        <source>the frequencies</source>
+        <translation>frekanslar</translation>
+    </message>
+    <message>
+        <source>the joint or link (by label) that ratios are of, instead of the first input or the state&apos;s drive</source>
+        <translation>oranların alındığı mafsal veya uzuv (numarasıyla), ilk giriş veya durumun sürücüsü yerine</translation>
+    </message>
+    <message>
+        <source>the lost motion</source>
+        <translation>kayıp hareket</translation>
+    </message>
+    <message>
+        <source>the speed of the input shaft: frequencies also in Hz</source>
+        <translation>giriş milinin hızı: frekanslar Hz olarak da</translation>
+    </message>
+    <message>
+        <source>tooth mesh</source>
+        <translation>diş kavraması</translation>
+    </message>
+    <message>
+        <source>turns on its bearer</source>
+        <translation>taşıyıcısı üzerinde dönüş</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>en kötü</translation>
+    </message>
+    <message>
+        <source>A wheel without teeth in one plane has no profile.</source>
+        <translation>Dişleri tek düzlemde olmayan bir çarkın profili yoktur.</translation>
+    </message>
+    <message>
+        <source>Left out, as they have no teeth in one plane: %1.</source>
+        <translation>Dişleri tek düzlemde olmadığı için dışarıda bırakılanlar: %1.</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>profiller</translation>
+    </message>
+    <message>
+        <source>Profiles of wheels (DXF)</source>
+        <translation>Çark profilleri (DXF)</translation>
+    </message>
+    <message>
+        <source>profiles of wheels</source>
+        <translation>çark profilleri</translation>
+    </message>
+    <message>
+        <source>Cutting profiles</source>
+        <translation>Kesim profilleri</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>&quot;%1&quot; bir sayı değil.</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1: %2 kat</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 should be %4.</source>
+        <translation>%1, %2: %3, %4 olmalı.</translation>
+    </message>
+    <message>
+        <source>%1, %2: the sign of %3 is wrong; it is %4.</source>
+        <translation>%1, %2: %3 değerinin işareti yanlış; doğrusu %4.</translation>
+    </message>
+    <message>
+        <source>%1: joint %2 is named twice.</source>
+        <translation>%1: mafsal %2 iki kez adlandırılmış.</translation>
+    </message>
+    <message>
+        <source>%1: there is no turning joint &quot;%2&quot;.</source>
+        <translation>%1: &quot;%2&quot; adlı döner mafsal yok.</translation>
+    </message>
+    <message>
+        <source>--outputs belongs to the matrices of a controller.</source>
+        <translation>--outputs bir denetleyicinin matrislerine aittir.</translation>
+    </message>
+    <message>
+        <source>A matrix has at most %1 rows.</source>
+        <translation>Bir matrisin en çok %1 satırı vardır.</translation>
+    </message>
+    <message>
+        <source>A matrix is an array of rows.</source>
+        <translation>Bir matris, satırlardan oluşan bir dizidir.</translation>
+    </message>
+    <message>
+        <source>A row is an array of numbers.</source>
+        <translation>Bir satır, sayılardan oluşan bir dizidir.</translation>
+    </message>
+    <message>
+        <source>An object or an array of rows is needed.</source>
+        <translation>Bir nesne ya da satır dizisi gerekir.</translation>
+    </message>
+    <message>
+        <source>Directions differ, too.</source>
+        <translation>Dönme yönleri de farklı.</translation>
+    </message>
+    <message>
+        <source>Matrix from %1: %2</source>
+        <translation>%1 matrisi: %2</translation>
+    </message>
+    <message>
+        <source>Motors %1, joints %2</source>
+        <translation>Motorlar %1, mafsallar %2</translation>
+    </message>
+    <message>
+        <source>Row %1 has %2 numbers; the matrix is square, with %3 rows.</source>
+        <translation>%1. satırda %2 sayı var; matris karedir, %3 satırlıdır.</translation>
+    </message>
+    <message>
+        <source>Say which matrix this is: --matrix motor-to-joint or joint-to-motor.</source>
+        <translation>Bunun hangi matris olduğunu belirtin: --matrix motor-to-joint veya joint-to-motor.</translation>
+    </message>
+    <message>
+        <source>The matrices and offsets are of different sizes.</source>
+        <translation>Matrisler ve kaymalar farklı boyutta.</translation>
+    </message>
+    <message>
+        <source>The matrices have %1 rows, the train has %2 motors.</source>
+        <translation>Matrislerin %1 satırı, düzeneğin %2 motoru var.</translation>
+    </message>
+    <message>
+        <source>The offsets do not cancel: motor offset %1 is %2, the joints&apos; offsets ask for %3.</source>
+        <translation>Kaymalar birbirini götürmüyor: motor kayması %1, %2; mafsal kaymaları %3 gerektirir.</translation>
+    </message>
+    <message>
+        <source>The two matrices are not inverse of each other: their product has %1 in row %2, column %3, not %4.</source>
+        <translation>İki matris birbirinin tersi değil: çarpımlarında %2. satır, %3. sütunda %4 değil %1 var.</translation>
+    </message>
+    <message>
+        <source>There is neither &quot;motorToJoint&quot; nor &quot;jointToMotor&quot;.</source>
+        <translation>Ne &quot;motorToJoint&quot; ne de &quot;jointToMotor&quot; var.</translation>
+    </message>
+    <message>
+        <source>There is no row of numbers.</source>
+        <translation>Sayı satırı yok.</translation>
+    </message>
+    <message>
+        <source>all is right but for factors: %1.</source>
+        <translation>çarpanlar dışında her şey doğru: %1.</translation>
+    </message>
+    <message>
+        <source>all would be right if these turned the other way: %1.</source>
+        <translation>bunlar ters yönde dönseydi her şey doğru olurdu: %1.</translation>
+    </message>
+    <message>
+        <source>all would be right with rows for %1 and columns for %2.</source>
+        <translation>satırlar %1, sütunlar %2 için olsaydı her şey doğru olurdu.</translation>
+    </message>
+    <message>
+        <source>joints to motors</source>
+        <translation>mafsallardan motorlara</translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <translation>motor %1</translation>
+    </message>
+    <message>
+        <source>motors to joints</source>
+        <translation>motorlardan mafsallara</translation>
+    </message>
+    <message>
+        <source>of a controller: the joints of its rows or columns, by label (as export --to coupling takes them)</source>
+        <translation>denetleyici için: satır veya sütunlarının mafsalları, numarasıyla (export --to coupling gibi)</translation>
+    </message>
+    <message>
+        <source>rows and columns are exchanged: this is the transpose.</source>
+        <translation>satırlar ve sütunlar yer değiştirmiş: bu, devriğidir.</translation>
+    </message>
+    <message>
+        <source>this is the matrix from %1: the inverse.</source>
+        <translation>bu, %1 matrisidir: tersi.</translation>
+    </message>
+    <message>
+        <source>this is the matrix of torques, the transposed inverse.</source>
+        <translation>bu, momentlerin matrisidir: devrik ters.</translation>
+    </message>
+    <message>
+        <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both as JSON</source>
+        <translation>hangi matris olduğu: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p veya solution (tanınır); denetleyici için: motor-to-joint, joint-to-motor, ya da ikisi için JSON olarak coupling</translation>
     </message>
 </context>
 <context>

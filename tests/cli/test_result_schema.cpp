@@ -69,6 +69,9 @@ std::vector<Call> callsOf(const json& document) {
                           {"inputs", {"inputs", "--limit", "5"}},
                           {"states", {"states"}},
                           {"levers", {"levers"}},
+                          {"backlash", {"backlash"}},
+                          {"vibration", {"vibration"}},
+                          {"vibration", {"vibration", "--rpm", "1500", "--harmonics", "2"}},
                           {"statics", {"statics"}},
                           {"statics", {"statics", "--eta", "0.98", "--share", "stiffness"}},
                           {"staticsOfStates", {"statics", "--all-states", "--eta", "0.97"}},
@@ -79,6 +82,8 @@ std::vector<Call> callsOf(const json& document) {
     const QString name = QString::fromStdString(states.front().at("name"));
     calls.push_back({"analysis", {"analyze", "--state", name}});
     calls.push_back({"levers", {"levers", "--state", name}});
+    calls.push_back({"backlash", {"backlash", "--state", name}});
+    calls.push_back({"vibration", {"vibration", "--state", name}});
     calls.push_back({"statics", {"statics", "--state", name}});
     calls.push_back({"dynamics", {"dynamics", "--state", name}});
   }

@@ -457,9 +457,10 @@ class TestServe : public QObject {
                method.dump().c_str());
     }
     QCOMPARE(methods,
-             (std::set<std::string>{"analyze", "atlas", "close", "dynamics", "edit", "export", "gearbox",
-                                    "hardware", "help", "identify", "inputs", "levers", "open", "pose",
-                                    "states", "statics", "teeth", "text", "validate"}));
+             (std::set<std::string>{"analyze", "atlas",    "backlash", "close",  "dynamics", "edit",
+                                    "export",  "gearbox",  "hardware", "help",   "identify", "inputs",
+                                    "levers",  "open",     "pose",     "states", "statics",  "teeth",
+                                    "text",    "validate", "vibration"}));
     QFile file(QString(SOURCE) + "/resources/schema/geargraph.schema.json");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const json definitions = json::parse(file.readAll().constData()).at("$defs");

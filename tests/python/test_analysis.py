@@ -110,7 +110,47 @@ def test_statics_in_a_state():
         m.analyze().statics(state="9")
 
 
-@pytest.mark.parametrize("name", ["schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach"])
+def test_frequencies():
+    m = gg.sets.planetary(sun=24, planet=18)
+    a = m.analyze()
+    (found,) = a.vibration(rpm=6000, planets=3)
+    assert found.state is None and found.reason is None
+    carrier = m.link(found.lines[0].link)
+    meshes = [line for line in found.lines if line.kind == "tooth-mesh"]
+    ring = next(mesh for mesh in m.meshes if 60 in (mesh.tail_teeth, mesh.head_teeth))
+    turns = {line.link: line.ratio for line in found.lines if line.kind == "shaft"}
+    assert carrier.id in turns and all(line.ratio == meshes[0].ratio for line in meshes)
+    assert meshes[0].ratio == Fraction(120, 7) and ring.id in [line.mesh for line in meshes]
+    assert meshes[0].hertz == pytest.approx(100 * 120 / 7)
+    (slower,) = a.vibration(reference=m.link(next(k for k, v in turns.items() if v == Fraction(2, 7))))
+    assert next(line for line in slower.lines if line.kind == "tooth-mesh").ratio == 60
+    assert len(found.to_pandas()) == len(found.lines)
+    shifted = gg.sets.ravigneaux().analyze()
+    assert [each.state for each in shifted.vibration()] == [state.name for state in shifted.states]
+    with pytest.raises(ValueError):
+        a.vibration(rpm=-1)
+    with pytest.raises(ValueError):
+        a.vibration(harmonics=0)
+    with pytest.raises(gg.Error) as caught:
+        a.vibration(reference=99)
+    assert caught.value.code == "unknown-id"
+
+
+def test_backlash():
+    (shared,) = gg.sets.planetary(sun=24, planet=18).analyze().backlash
+    assert shared.shared and all(output.root_of_squares is None for output in shared.outputs)
+    m = gg.open(EXAMPLES / "planetary-ring-held.geargraph")
+    (found,) = m.analyze().backlash
+    assert found.shared is False and set(found.plays.values()) == {Fraction(2, 25)}
+    for output in found.outputs:
+        assert output.worst == sum(output.parts.values())
+        assert output.root_of_squares == pytest.approx(sum(float(x) ** 2 for x in output.parts.values()) ** 0.5)
+        assert output.parts[output.most] == max(output.parts.values())
+    assert Fraction(4, 25) / 84 in [output.worst for output in found.outputs]
+    assert len(gg.sets.ravigneaux().analyze().backlash) == len(gg.sets.ravigneaux().analyze().states)
+
+
+@pytest.mark.parametrize("name", ["schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach", "spectrum"])
 def test_drawings(robot, name, tmp_path):
     drawing = robot.analyze().drawing(name)
     root = ElementTree.fromstring(drawing.svg)

@@ -1,11 +1,16 @@
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/python/bindings/snapshot.h"
 #include "core/design/collision/motion_diagnostics.h"
 #include "core/presentation/results/analysis_json.h"
 #include "core/presentation/results/input_pose.h"
+#include "core/presentation/results/lost_motion_report.h"
 #include "core/presentation/results/states_json.h"
+#include "core/presentation/results/vibration_report.h"
 #include "core/teaching/derivation/quantity_table.h"
 #include "core/theory/matroid/input_sets.h"
 
@@ -188,6 +193,44 @@ py::object motion(const Snapshot& self) {
                         report->check.isComplete, rowsOf(report->diagnostics));
 }
 
+std::string vibrationRows(const Snapshot& self, std::optional<double> rpm, std::optional<int> label,
+                          int harmonics, int sidebands, int planets) {
+  using Bounds = FrequencyOptions;
+  const auto within = [](int value, int least, int most, const char* what) {
+    if (value < least || value > most) throw py::value_error(what);
+  };
+  within(harmonics, 1, Bounds::kMaxHarmonics, "There are 1 to 20 harmonics.");
+  within(sidebands, 0, Bounds::kMaxSidebands, "There are 0 to 20 sidebands.");
+  within(planets, 1, Bounds::kMaxPlanets, "There are 1 to 100 planets.");
+  if (rpm && !(*rpm > 0 && std::isfinite(*rpm))) throw py::value_error("A speed in rpm is above 0.");
+  VibrationOptions options{{harmonics, sidebands, planets}, {}, rpm};
+  const Mechanism& mechanism = *self.live()->mechanism;
+  if (label) {
+    const int joint = *label - mechanism.jointLabel(0);
+    if (*label >= 1 && *label <= mechanism.n()) {
+      options.reference = LinkOrdinal(*label);
+    } else if (joint >= 0 && joint < mechanism.t()) {
+      options.reference = JointOrdinal(joint);
+    } else {
+      raise("unknown-id", "There is no joint or moving link with this label.");
+    }
+  }
+  const auto cases =
+      interruptible([&](const std::stop_token& stop) { return frequencyCases(*self.live(), options, stop); });
+  return vibrationJson(&mechanism, &*cases, options);
+}
+
+std::string backlashRows(const Snapshot& self) {
+  const AnalysisSnapshot& snapshot = *self.live();
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const auto cases = interruptible([&](const std::stop_token& stop) {
+    if (!mechanism.states.empty() && mechanism.engaged.empty()) return lostMotionCases(mechanism, stop);
+    auto one = lostMotionCase(snapshot, stop);
+    return one ? std::optional(std::vector<LostMotionCase>{*std::move(one)}) : std::nullopt;
+  });
+  return lostMotionJson(&mechanism, *cases);
+}
+
 }  // namespace
 
 void addAnalysis(py::module_& module) {
@@ -207,6 +250,8 @@ void addAnalysis(py::module_& module) {
              return sink.take();
            })
       .def("states_json", [](Snapshot& self) { return statesJson(self.shifted().get()); })
+      .def("vibration_json", vibrationRows)
+      .def("backlash_json", backlashRows)
       .def("matrix", integerMatrix)
       .def("quantity", quantity)
       .def("input_sets", inputSets)

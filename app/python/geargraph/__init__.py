@@ -26,6 +26,7 @@ from ._dynamics import Dynamics, EquationOfMotion, LinkMass, Motion
 from ._elements import Axis, Coupling, GearMesh, Link, Load, ShiftState, TurningJoint
 from ._errors import Diagnostic, Element, Error
 from ._exporters import Exporter, ExportOption, exporters
+from ._frequencies import Backlash, Frequencies, Frequency, LostMotion
 from ._gears import Gear, Mesh3D, Solid
 from ._identity import IdentifiedChain, Identity
 from ._matrix import Heading, Matrix, Quantity
@@ -41,15 +42,16 @@ from ._teeth import TeethCheck, TeethChoice, TeethChoices, check_teeth
 __version__: str = _geargraph.version
 
 __all__ = [
-    "Analysis", "AtlasChain", "Axis", "Balance", "Bearing", "Block", "Coupling", "Derivation",
-    "Diagnostic", "Drawing", "Dynamics", "Efficiency", "Element", "Equation", "EquationOfMotion",
-    "Error", "ExportOption", "Exporter", "Formula", "FoundGearbox", "FoundHub", "Gear", "GearMesh",
-    "GearboxSearch", "Heading", "HubSearch", "IdentifiedChain", "Identity", "InputSets", "Link",
-    "LinkMass", "Load", "Matrix", "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D",
-    "MeshForce", "Motion", "MotionCheck", "Picture", "Pose", "Quantity", "ShiftState", "Solid",
-    "State", "States", "Statics", "TeethCheck", "TeethChoice", "TeethChoices", "Term",
-    "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint", "atlas", "atlas_document",
-    "check_teeth", "exercises", "exporters", "gearbox", "hardware", "loads", "open", "sets",
+    "Analysis", "AtlasChain", "Axis", "Backlash", "Balance", "Bearing", "Block", "Coupling",
+    "Derivation", "Diagnostic", "Drawing", "Dynamics", "Efficiency", "Element", "Equation",
+    "EquationOfMotion", "Error", "ExportOption", "Exporter", "Formula", "FoundGearbox",
+    "FoundHub", "Frequencies", "Frequency", "Gear", "GearMesh", "GearboxSearch", "Heading",
+    "HubSearch", "IdentifiedChain", "Identity", "InputSets", "Link", "LinkMass", "Load",
+    "LostMotion", "Matrix", "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D", "MeshForce",
+    "Motion", "MotionCheck", "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State",
+    "States", "Statics", "TeethCheck", "TeethChoice", "TeethChoices", "Term", "TransferVertex",
+    "TtGraphMethod", "TtStep", "TurningJoint", "atlas", "atlas_document", "check_teeth",
+    "exercises", "exporters", "gearbox", "hardware", "loads", "open", "sets",
 ]
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Tuple, Union
 
 from . import _geargraph
 from ._derivation import Derivation
 from ._dynamics import Dynamics
+from ._elements import Link, TurningJoint
 from ._errors import Diagnostic, diagnostics_of
 from ._exports import Exports
+from ._frequencies import Backlash, Frequencies, backlash_of, frequencies_of
 from ._matrix import Entry, Matrix, Quantity, headings_of
 from ._methods import MatroidMethod, TtGraphMethod
 from ._numbers import Number, array, doubles, integers, text_of
@@ -374,6 +376,55 @@ class Analysis(Exports):
             self._kept["states"] = States(state_of(row) for row in rows or ())
         states: States = self._kept["states"]
         return states
+
+    def vibration(
+        self,
+        rpm: Optional[float] = None,
+        *,
+        reference: Union[TurningJoint, Link, int, None] = None,
+        harmonics: int = 1,
+        sidebands: int = 1,
+        planets: int = 1,
+    ) -> Tuple[Frequencies, ...]:
+        """Find the frequencies of shafts, tooth meshes and planets.
+
+        Parameters
+        ----------
+        rpm : float, optional
+            The speed of the reference shaft: frequencies are also in Hz.
+        reference : TurningJoint, Link or int, optional
+            The shaft that ratios are to, an element or its label; without it the first input that
+            turns, in a state its drive.
+        harmonics, sidebands : int, optional
+            Multiples of each tooth mesh, 1 to 20, and lines on each side of each, 0 to 20.
+        planets : int, optional
+            How many planets one stands for that is drawn alone, 1 to 100.
+
+        Returns
+        -------
+        tuple of Frequencies
+            One for each state; one alone without states, or with couplings engaged.
+
+        Raises
+        ------
+        ValueError
+            A number out of its range.
+        Error
+            "unknown-id" if there is no such element.
+        """
+        label = reference if reference is None or isinstance(reference, int) else reference.label
+        rows = json.loads(self._snapshot.vibration_json(rpm, label, harmonics, sidebands, planets))
+        return tuple(frequencies_of(row) for row in rows["cases"])
+
+    @property
+    def backlash(self) -> Tuple[Backlash, ...]:
+        """How far outputs turn while the inputs are held, by the play of the teeth: for each state;
+        once without states, or with couplings engaged."""
+        if "backlash" not in self._kept:
+            rows = json.loads(self._snapshot.backlash_json())
+            self._kept["backlash"] = tuple(backlash_of(row) for row in rows["cases"])
+        backlash: Tuple[Backlash, ...] = self._kept["backlash"]
+        return backlash
 
     def statics(
         self,

@@ -40,7 +40,7 @@ class Exports:
 
         Parameters
         ----------
-        name : {"schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach"}, optional
+        name : {"schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach", "spectrum"}, optional
             Functional schematic (ISO 3952), digraph [paper, Fig. 2], T-T graph [Fig. 5].
         dark : bool, optional
             On a dark ground.

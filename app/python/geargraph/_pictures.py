@@ -17,7 +17,8 @@ class Drawing:
     Attributes
     ----------
     name : str
-        "schematic", "digraph", "ttgraph", "levers", "nomogram", "plan" or "kutzbach".
+        "schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach" or
+        "spectrum".
     """
 
     __slots__ = ("name", "_snapshot", "_dark", "_transparent", "_size")

@@ -13,13 +13,13 @@
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_wheels.h"
+#include "core/machine/train/wheel_backlash.h"
 
 namespace geargraph::inline train {
 namespace {
 
-constexpr double kDefaultBacklash = 0.04;  // modules, of a pair
-constexpr double kDefaultSpurFace = 8;     // modules
-constexpr double kMaxBevelFace = 10;       // modules
+constexpr double kDefaultSpurFace = 8;  // modules
+constexpr double kMaxBevelFace = 10;    // modules
 
 /// Wheels that mesh with each other on parallel axes, so that one module is theirs.
 DisjointSets wheelsOfOneModule(const TrainWheels& train) {
@@ -272,9 +272,7 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop
     if (defaults && defaults->pressureAngle) {
       wheel.spec.pressureAngle = defaults->pressureAngle->value() * std::numbers::pi / 180;
     }
-    double backlash = defaults && defaults->backlash ? defaults->backlash->value() : kDefaultBacklash;
-    if (drawn != nullptr && drawn->backlash) backlash = drawn->backlash->value();
-    wheel.spec.backlashAllowance = backlash / 2;
+    wheel.spec.backlashAllowance = backlashOf(mechanism, wheel.id).toDouble() / 2;
     if (drawn != nullptr && drawn->bore) wheel.spec.bore = drawn->bore->value();
     fixed.push_back(drawn != nullptr && drawn->profileShift.has_value());
     if (fixed.back()) wheel.spec.profileShift = drawn->profileShift->value();

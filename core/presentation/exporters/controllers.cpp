@@ -19,28 +19,6 @@ ExportError noCoupling(std::string message) {
   return {ExportError::Kind::mechanism, std::move(message), kNoCoupling.code};
 }
 
-/// The joints that `--outputs` names, by label.
-std::variant<std::vector<JointOrdinal>, ExportError> outputsNamed(const Mechanism& mechanism,
-                                                                  std::string_view text) {
-  std::vector<JointOrdinal> joints;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
-    const auto joint = jointNamed(mechanism, word);
-    if (!joint) {
-      return ExportError{ExportError::Kind::usage,
-                         translated("--outputs: there is no turning joint \"%1\".", {std::string(word)})};
-    }
-    if (std::find(joints.begin(), joints.end(), *joint) != joints.end()) {
-      return ExportError{ExportError::Kind::usage,
-                         translated("--outputs: joint %1 is named twice.", {std::string(word)})};
-    }
-    joints.push_back(*joint);
-    begin = end + 1;
-  }
-  return joints;
-}
-
 template <std::string (*text)(const Mechanism&, const JointCoupling&)>
 ExportResult writeCoupling(ExportContext& context, const OptionValues& given, const ExportTarget& target,
                            const std::stop_token& stop) {
@@ -62,8 +40,9 @@ ExportResult writeCoupling(ExportContext& context, const OptionValues& given, co
   const Mechanism& mechanism = *snapshot->mechanism;
   std::vector<JointOrdinal> joints;
   if (const auto named = given.value("--outputs")) {
-    auto read = outputsNamed(mechanism, *named);
-    if (auto* error = std::get_if<ExportError>(&read)) return *std::move(error);
+    auto read = jointsNamed(mechanism, "--outputs", *named);
+    if (auto* error = std::get_if<UsageError>(&read))
+      return ExportError{ExportError::Kind::usage, std::move(error->message)};
     joints = std::get<std::vector<JointOrdinal>>(std::move(read));
     if (joints.size() != exact.inputs.size()) {
       return noCoupling(translated("There are %1 motors: name as many joints, not %2.",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/presentation/exporters/option_values.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline exporters {
 namespace {
@@ -28,6 +28,23 @@ std::optional<JointOrdinal> jointNamed(const Mechanism& mechanism, std::string_v
 
 std::optional<LinkOrdinal> linkNamed(const Mechanism& mechanism, std::string_view word) {
   return positionOf(mechanism.links, mechanism.linkLabel(0), word);
+}
+
+std::variant<std::vector<JointOrdinal>, UsageError> jointsNamed(const Mechanism& mechanism,
+                                                                std::string_view option,
+                                                                std::string_view text) {
+  std::vector<JointOrdinal> joints;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    const auto joint = jointNamed(mechanism, word);
+    if (!joint) return UsageError{translated("%1: there is no turning joint \"%2\".", {option, word})};
+    if (std::find(joints.begin(), joints.end(), *joint) != joints.end())
+      return UsageError{translated("%1: joint %2 is named twice.", {option, word})};
+    joints.push_back(*joint);
+    begin = end + 1;
+  }
+  return joints;
 }
 
 }  // namespace geargraph::inline exporters

@@ -14,6 +14,7 @@ namespace geargraph::inline exporters {
 [[nodiscard]] ExportFamily animationFamily();
 [[nodiscard]] ExportFamily seenSolidFamily();
 [[nodiscard]] ExportFamily solidFamily();
+[[nodiscard]] ExportFamily profileFamily();
 [[nodiscard]] ExportFamily assemblyFamily();
 [[nodiscard]] ExportFamily simulatorFamily();
 [[nodiscard]] ExportFamily jointModelFamily();

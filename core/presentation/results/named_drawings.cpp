@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/drawing/tt_graph_drawing.h"
@@ -12,7 +13,9 @@
 #include "core/presentation/lever_drawing/speed_plan_drawing.h"
 #include "core/presentation/power_drawing/power_drawing.h"
 #include "core/presentation/results/levers_json.h"
+#include "core/presentation/results/vibration_report.h"
 #include "core/presentation/schematic/schematic.h"
+#include "core/presentation/vibration_drawing/spectrum.h"
 
 namespace geargraph::inline results {
 namespace {
@@ -79,11 +82,22 @@ DisplayList kutzbach(const AnalysisSnapshot& snapshot, const DrawnPower* /*power
                           hasPlan ? schematicGeometry(*snapshot.geometry, stop) : SchematicGeometry(), {});
 }
 
+DisplayList spectrum(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
+                     const std::stop_token& stop) {
+  const auto found = frequenciesAsEngaged(snapshot, {}, stop);
+  if (!found) return {};
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const std::string title = found->reference ? translated("cycles for a turn of the shaft (%1)",
+                                                          {referenceText(mechanism, *found->reference)})
+                                             : std::string();
+  return spectrumDrawing(mechanism, found->lines, title, absenceText(mechanism, *found));
+}
+
 constexpr std::array kDrawings = {
     NamedDrawing{"digraph", digraph},          NamedDrawing{"ttgraph", ttGraph, false},
     NamedDrawing{"schematic", schematic},      NamedDrawing{"levers", levers, false},
     NamedDrawing{"nomogram", nomogram, false}, NamedDrawing{"plan", plan, false},
-    NamedDrawing{"kutzbach", kutzbach, false}};
+    NamedDrawing{"kutzbach", kutzbach, false}, NamedDrawing{"spectrum", spectrum, false}};
 
 }  // namespace
 

@@ -30,7 +30,7 @@ struct NamedDrawing {
 [[nodiscard]] std::span<const NamedDrawing> drawings();
 /// Null if there is none.
 [[nodiscard]] const NamedDrawing* drawingNamed(std::string_view name);
-/// "digraph, ttgraph, schematic, levers, nomogram, plan, kutzbach"
+/// "digraph, ttgraph, schematic, levers, nomogram, plan, kutzbach, spectrum"
 [[nodiscard]] std::string drawingNames();
 
 }  // namespace geargraph::inline results
