@@ -127,6 +127,8 @@ std::string_view valueText(const MemberInfo& info) {
       return kTeeth;
     case MemberValue::meshKind:
       return "external, internal or bevel";
+    case MemberValue::hand:
+      return "right or left";
     case MemberValue::couplingKind:
       return "brake or clutch";
     case MemberValue::sharing:

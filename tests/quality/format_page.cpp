@@ -35,6 +35,8 @@ std::string rangeText(NumberRange range) {
       return ", above 0, at most 1";
     case NumberRange::fraction:
       return ", from 0 to 1";
+    case NumberRange::acuteAngle:
+      return ", at least 0, below 90";
   }
   GEARGRAPH_REQUIRE(false);
 }
@@ -66,6 +68,8 @@ std::string valueText(const MemberInfo& info) {
       return "whole number from 1 to 100,000";
     case MemberValue::meshKind:
       return "`external`, `internal` or `bevel`";
+    case MemberValue::hand:
+      return "`right` or `left`";
     case MemberValue::couplingKind:
       return "`brake` or `clutch`";
     case MemberValue::sharing:

@@ -51,6 +51,8 @@ std::string numberType(const MemberInfo& info) {
       return reference("efficiency");
     case NumberRange::fraction:
       return reference("friction");
+    case NumberRange::acuteAngle:
+      return reference("acuteAngle");
     case NumberRange::any:
       return reference(isLimited(info.measure) ? "length" : "number");
   }
@@ -104,6 +106,8 @@ std::string typeOf(DocumentPart part, const MemberInfo& info) {
       return reference("teeth");
     case MemberValue::meshKind:
       return choice(std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel}, meshKindName);
+    case MemberValue::hand:
+      return choice(std::array{Hand::right, Hand::left}, handName);
     case MemberValue::sharing:
       return choice(std::array{LoadSharing::none, LoadSharing::stiffness}, loadSharingName);
     case MemberValue::couplingKind:
@@ -327,6 +331,18 @@ constexpr const char* kValueTypes = R"json(    "shortText": {"type": "string", "
         }
       ]
     },
+    "acuteAngle": {
+      "description": "Degrees, at least 0, below 90.",
+      "allOf": [
+        {"$ref": "#/$defs/number"},
+        {
+          "anyOf": [
+            {"type": "number", "minimum": 0, "exclusiveMaximum": 90},
+            {"type": "string", "pattern": "^([+]|-[0.]*([eE/]|$)|[^-])"}
+          ]
+        }
+      ]
+    },
     "triple": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"$ref": "#/$defs/length"}},
     "teeth": {"type": "integer", "minimum": 1, "maximum": 100000},
     "coordinate": {"type": "number", "minimum": -1e15, "maximum": 1e15},
@@ -342,7 +358,7 @@ std::string documentSchema() {
   std::string text = R"({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "GearGraph document",
-  "description": "A geared mechanism, *.geargraph, version 1. README.md beside this file says what the members mean and which rules a schema cannot state: unique ids, references, a direction of length above 0. Members that are not named here are allowed everywhere and kept on saving.",
+  "description": "A geared mechanism, *.geargraph, version 1 or 2. README.md beside this file says what the members mean and which rules a schema cannot state: unique ids, references, a direction of length above 0. Members that are not named here are allowed everywhere and kept on saving.",
 )" + objectText(DocumentPart::document, "  ") +
                      ",\n  \"$defs\": {\n" + kValueTypes;
   for (const DocumentPart part : documentParts()) {

@@ -115,6 +115,7 @@ py::list gears(const Snapshot& self) {
     values["profile_shift"] = spec.profileShift;
     values["thinning"] = spec.backlashAllowance;
     values["cone_angle"] = spec.coneAngle;
+    values["helix_angle"] = spec.helixAngle;
     values["face_width"] = spec.faceWidth;
     values["bore"] = spec.bore;
     values["pitch_radius"] = pitchRadius(spec);

@@ -317,6 +317,40 @@ class GearMesh(_Labelled):
         value = self._data.get("friction")
         return None if value is None else exact(value)
 
+    @property
+    def helix_angle(self) -> Optional[Fraction]:
+        """Of the teeth of the first gear at its reference cylinder; not of a bevel pair. The ratio
+        does not depend on it (degrees)."""
+        value = self._data.get("helixAngle")
+        return None if value is None else exact(value)
+
+    @property
+    def hand(self) -> Any:
+        """Of the helix of the first gear. That of the second follows: the opposite one of an
+        external pair, the same of an internal one."""
+        value = self._data.get("hand")
+        return None if value is None else value
+
+    @property
+    def herringbone(self) -> bool:
+        """The helix changes its hand at mid face, so that no axial force is left; ``hand`` is that
+        of the half on the side against the direction of the first gear's axis."""
+        value = self._data.get("herringbone")
+        return False if value is None else bool(value)
+
+    @property
+    def module(self) -> Optional[Fraction]:
+        """The normal module; with the centre distance it fixes the sum of the profile shifts. Of a
+        bevel pair without ``pitchPoint``: at the large end."""
+        value = self._data.get("module")
+        return None if value is None else exact(value)
+
+    @property
+    def pressure_angle(self) -> Optional[Fraction]:
+        """Of the teeth, in the normal section (degrees)."""
+        value = self._data.get("pressureAngle")
+        return None if value is None else exact(value)
+
     # End of members.
 
 

@@ -72,8 +72,9 @@ class Gear:
         Their number.
     module : float
         At the reference circle, of bevels at the large end; in the document's unit, as all lengths.
-    pressure_angle, cone_angle : float
-        rad; the pitch cone of a bevel.
+        Of a helical gear module, pressure angle and shift are those of the transverse section.
+    pressure_angle, cone_angle, helix_angle : float
+        rad; the pitch cone of a bevel; the helix at the reference circle, positive right-hand.
     profile_shift : float
         In modules.
     thinning, face_width, bore : float
@@ -96,6 +97,7 @@ class Gear:
         self.module: float = values["module"]
         self.pressure_angle: float = values["pressure_angle"]
         self.cone_angle: float = values["cone_angle"]
+        self.helix_angle: float = values["helix_angle"]
         self.profile_shift: float = values["profile_shift"]
         self.thinning: float = values["thinning"]
         self.face_width: float = values["face_width"]

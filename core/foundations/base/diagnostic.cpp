@@ -85,6 +85,7 @@ constexpr std::array kDetails = {
     DetailEntry{Detail::kindAgainstSides, Code::teethGeometry, "teeth-geometry/kind"},
     DetailEntry{Detail::teethAgainstRadii, Code::teethGeometry, "teeth-geometry/ratio"},
     DetailEntry{Detail::equalInternalTeeth, Code::teethGeometry, "teeth-geometry/equal-internal-teeth"},
+    DetailEntry{Detail::helixAgainstTeeth, Code::teethGeometry, "teeth-geometry/helix"},
     DetailEntry{Detail::pinnedWheel, Code::teethGeometry, "teeth-geometry/pinned-wheel"},
     DetailEntry{Detail::pinnedModule, Code::teethGeometry, "teeth-geometry/pinned-module"},
     DetailEntry{Detail::pinnedAxis, Code::teethGeometry, "teeth-geometry/pinned-axis"},

@@ -94,7 +94,8 @@ enum class Detail {
   kindAgainstSides,   ///< `kind` contradicts the sides of the axes on which the pitch point lies
   teethAgainstRadii,  ///< the ratio of the teeth is not that of the pitch radii
   equalInternalTeeth,
-  pinnedWheel,  ///< an edit that would have to change pinned gears or axes
+  helixAgainstTeeth,  ///< the helix angle does not fit the pair, or another pair of the same wheel
+  pinnedWheel,        ///< an edit that would have to change pinned gears or axes
   pinnedModule,
   pinnedAxis,
   // assembly

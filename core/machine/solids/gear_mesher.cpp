@@ -1,5 +1,6 @@
 #include "core/machine/solids/gear_mesher.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,18 @@ Vector3d mirrored(const Vector3d& v) {
   return {v.x(), -v.y(), v.z()};
 }
 
+/// A point of a cylinder's wall in the section of a layer, where the wall is a helicoid: its normal is across
+/// the profile and across the direction in which the section's points move along the axis.
+Seed twisted(const Seed& wall, const TwistLayer& layer) {
+  const double c = std::cos(layer.turn);
+  const double s = std::sin(layer.turn);
+  const auto turned = [&](double x, double y, double z) { return Vector3d(c * x - s * y, s * x + c * y, z); };
+  const Vector3d& p = wall.position;
+  const Vector3d& n = wall.normal;
+  return {turned(p.x(), p.y(), layer.height),
+          turned(n.x(), n.y(), layer.slope * (p.y() * n.x() - p.x() * n.y())).normalized()};
+}
+
 /// The vertices and triangles of one tooth, which every tooth repeats turned. A wall loop of one tooth has
 /// `walls` vertices, a face loop `faces`; index `walls` (`faces`) of a tooth is index 0 of the next.
 class ToothPattern {
@@ -29,10 +42,14 @@ class ToothPattern {
   explicit ToothPattern(const GearBlank& blank) : m_blank(blank) {
     findUnique();
     seedWalls();
+    if (!blank.layers.empty()) twistWalls();
     seedFaces();
   }
 
-  std::vector<Seed> wallBottom, wallTop, faceBottom, faceTop;
+  std::vector<std::vector<Seed>> walls;  ///< by layer, from the bottom face to the top face
+  std::vector<char> isEdge;              ///< by layer: no wall between it and the next one
+  std::vector<Seed> faceBottom, faceTop;
+  double bottomTurn = 0, topTurn = 0;           ///< of the faces
   std::vector<std::array<Index, 2>> wallEdges;  ///< consecutive wall vertices with a face between them
   std::vector<Triangle> faceTriangles;          ///< of the top face, counter-clockwise
   std::vector<Index> wallOfFace;                ///< wall vertex at the place of a face vertex
@@ -42,6 +59,7 @@ class ToothPattern {
  private:
   void findUnique();
   void seedWalls();
+  void twistWalls();
   void seedFaces();
   void ladder();
   void sewTip(std::size_t top, std::size_t corner, std::size_t last);
@@ -76,10 +94,12 @@ void ToothPattern::findUnique() {
 void ToothPattern::seedWalls() {
   const auto& half = m_blank.half;
   const std::size_t last = half.size() - 1;
+  walls.resize(2);
+  isEdge = {0, 1};
   const auto add = [&](const OutlinePoint& p, bool mirror) {
     const auto seen = [&](const Vector3d& v) { return mirror ? mirrored(v) : v; };
-    wallBottom.push_back({seen(p.bottom), seen(p.wallNormal)});
-    wallTop.push_back({seen(p.top), seen(p.wallNormal)});
+    walls[0].push_back({seen(p.bottom), seen(p.wallNormal)});
+    walls[1].push_back({seen(p.top), seen(p.wallNormal)});
   };
   for (std::size_t i = 0; i <= last; ++i) {
     if (i > 0 && !half[i].corner) wallEdges.push_back({Index(i - 1), Index(i)});
@@ -90,6 +110,22 @@ void ToothPattern::seedWalls() {
     if (!half[i + 1].corner) wallEdges.push_back({here - 1, here});
     if (i > 0) add(half[i], false);
   }
+}
+
+/// Sections of the cylinder instead of its two ends.
+void ToothPattern::twistWalls() {
+  const std::vector<Seed> straight = std::move(walls.front());
+  const std::vector<TwistLayer>& layers = m_blank.layers;
+  walls.clear();
+  isEdge.assign(layers.size(), 0);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    std::vector<Seed>& wall = walls.emplace_back();
+    wall.reserve(straight.size());
+    for (const Seed& seed : straight) wall.push_back(twisted(seed, layers[i]));
+    isEdge[i] = i + 1 == layers.size() || layers[i].height == layers[i + 1].height;
+  }
+  bottomTurn = layers.front().turn;
+  topTurn = layers.back().turn;
 }
 
 void ToothPattern::seedFaces() {
@@ -202,10 +238,12 @@ class ToothedShell {
   /// `circle`: vertices of each circle of the body, which finds its room here.
   ToothedShell(const GearBlank& blank, const ToothPattern& pattern, std::size_t circle, Solid& solid)
       : m_teeth(static_cast<Index>(blank.teeth)), m_inward(blank.inward), m_pattern(pattern), m_solid(solid) {
-    m_walls = static_cast<Index>(pattern.wallTop.size());
+    m_walls = static_cast<Index>(pattern.walls.front().size());
     m_faces = static_cast<Index>(pattern.faceTop.size());
-    const std::size_t triangles = 2 * pattern.wallEdges.size() + 2 * pattern.faceTriangles.size();
-    const std::size_t vertices = 2 * m_teeth * std::size_t{m_walls + m_faces};
+    m_layers = static_cast<Index>(pattern.walls.size());
+    const auto strips = static_cast<std::size_t>(std::count(pattern.isEdge.begin(), pattern.isEdge.end(), 0));
+    const std::size_t triangles = 2 * strips * pattern.wallEdges.size() + 2 * pattern.faceTriangles.size();
+    const std::size_t vertices = m_teeth * (std::size_t{m_layers} * m_walls + 2 * std::size_t{m_faces});
     const std::size_t windows = blank.windows ? vertices / 16 + 4 * circle : 0;
     const std::size_t body = 2 * circle * blank.body.size() + windows;
     const std::size_t joints = 2 * m_teeth * pattern.base.size();  // between the faces and the body
@@ -219,23 +257,36 @@ class ToothedShell {
     writeTriangles();
   }
 
-  [[nodiscard]] Loop baseLoop(bool top) const {
+  /// `start`: angle of the first vertex of the circle that the loop is sewn to.
+  [[nodiscard]] Loop baseLoop(bool top, double start) const {
     Loop loop;
+    const double turn = top ? m_pattern.topTurn : m_pattern.bottomTurn;
     for (Index k = 0; k < m_teeth; ++k) {
       for (std::size_t b = 0; b < m_pattern.base.size(); ++b) {
         loop.vertices.push_back(faceStart(top) + (k * m_faces + m_pattern.base[b]) % (m_teeth * m_faces));
-        loop.angles.push_back(2 * pi * k / m_teeth + m_pattern.baseAngles[b]);
+        loop.angles.push_back(2 * pi * k / m_teeth + m_pattern.baseAngles[b] + turn);
       }
     }
+    if (turn != 0) beginAt(loop, start);
     return loop;
   }
 
  private:
-  [[nodiscard]] Index faceStart(bool top) const { return m_teeth * (2 * m_walls + (top ? m_faces : 0)); }
+  /// Lets a loop that is turned begin with its first vertex from the angle on.
+  static void beginAt(Loop& loop, double start) {
+    for (double& angle : loop.angles) angle -= 2 * pi * std::floor((angle - start) / (2 * pi));
+    const auto first = std::min_element(loop.angles.begin(), loop.angles.end()) - loop.angles.begin();
+    std::rotate(loop.angles.begin(), loop.angles.begin() + first, loop.angles.end());
+    std::rotate(loop.vertices.begin(), loop.vertices.begin() + first, loop.vertices.end());
+  }
+
+  [[nodiscard]] Index faceStart(bool top) const {
+    return m_teeth * (m_layers * m_walls + (top ? m_faces : 0));
+  }
   void writeVertices();
   void writeTriangles();
 
-  Index m_teeth, m_walls = 0, m_faces = 0;
+  Index m_teeth, m_walls = 0, m_faces = 0, m_layers = 2;
   bool m_inward;
   const ToothPattern& m_pattern;
   Solid& m_solid;
@@ -250,12 +301,12 @@ void ToothedShell::writeVertices() {
   Float3* positions = m_solid.positions.data();
   Float3* normals = m_solid.normals.data();
   const std::size_t wallAll = std::size_t{m_teeth} * m_walls;
-  repeat(m_pattern.wallBottom, turns, positions, normals);
-  repeat(m_pattern.wallTop, turns, positions + wallAll, normals + wallAll);
+  for (std::size_t layer = 0; layer < m_pattern.walls.size(); ++layer)
+    repeat(m_pattern.walls[layer], turns, positions + layer * wallAll, normals + layer * wallAll);
   for (const bool top : {false, true}) {
     const std::size_t start = faceStart(top);
     repeat(top ? m_pattern.faceTop : m_pattern.faceBottom, turns, nullptr, normals + start);
-    const Float3* wall = positions + (top ? wallAll : 0);
+    const Float3* wall = positions + (top ? (m_layers - 1) * wallAll : 0);
     Float3* face = positions + start;
     for (Index k = 0; k < m_teeth; ++k) {
       for (const Index at : m_pattern.wallOfFace) *face++ = wall[k * m_walls + at];
@@ -276,12 +327,16 @@ void ToothedShell::writeTriangles() {
     ++out;
   };
   for (Index k = 0; k < m_teeth; ++k) {
-    for (const auto& [from, to] : m_pattern.wallEdges) {
-      const Index a = k * m_walls + from;
-      const Index next = k * m_walls + to;
-      const Index b = next == wallAll ? 0 : next;
-      write(a, b, wallAll + b);
-      write(a, wallAll + b, wallAll + a);
+    for (Index layer = 0; layer < m_layers; ++layer) {
+      if (m_pattern.isEdge[layer] != 0) continue;
+      const Index below = layer * wallAll;
+      for (const auto& [from, to] : m_pattern.wallEdges) {
+        const Index a = below + k * m_walls + from;
+        const Index next = k * m_walls + to;
+        const Index b = below + (next == wallAll ? 0 : next);
+        write(a, b, wallAll + b);
+        write(a, wallAll + b, wallAll + a);
+      }
     }
     for (const Triangle& t : m_pattern.faceTriangles) {
       Index v[3];
@@ -329,10 +384,11 @@ Solid meshed(const GearBlank& blank) {
   // The faces go on below the teeth with the normal they have in the middle of the tooth, where y = 0.
   const Vector3d& up = blank.half.back().topNormal;
   const Vector3d& down = blank.half.back().bottomNormal;
-  builder.sew(teeth.baseLoop(true), builder.addCircle(blank.body.front(), count, start, {up.x(), up.z()}));
+  builder.sew(teeth.baseLoop(true, start),
+              builder.addCircle(blank.body.front(), count, start, {up.x(), up.z()}));
   addBody(builder, blank, count, start);
   builder.sew(builder.addCircle(blank.body.back(), count, start, {down.x(), down.z()}),
-              teeth.baseLoop(false));
+              teeth.baseLoop(false, start));
   return solid;
 }
 

@@ -19,12 +19,23 @@ struct OutlinePoint {
   bool corner = false;  ///< has the positions of the point before it with another wall normal
 };
 
+/// A section of a twisted wheel: the profile turned by an angle. Two at one height are an edge where the
+/// twist changes.
+struct TwistLayer {
+  double height = 0;
+  double turn = 0;   ///< rad
+  double slope = 0;  ///< of the walls there: d turn / d height
+};
+
 /// The input of meshed(): half a tooth from the middle of the space to the middle of the tip, and the profile
 /// of the body from the top face to the bottom face (poles where there is no bore).
 struct GearBlank {
   int teeth = 0;
   bool inward = false;  ///< a ring: teeth point towards the axis, the body is outside
   std::vector<OutlinePoint> half;
+  /// Sections of the teeth from the bottom face to the top face, whose `half` is a cylinder then; empty:
+  /// straight walls.
+  std::vector<TwistLayer> layers = {};
   std::vector<ProfileVertex> body;
   /// Openings in the body's two strips between the circles (rim, half) and (hub, half), and (hub, -half) and
   /// (rim, -half).

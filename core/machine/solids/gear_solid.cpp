@@ -1,6 +1,7 @@
 #include "core/machine/solids/gear_solid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/foundations/base/contract.h"
@@ -12,6 +13,30 @@
 
 namespace geargraph::inline solids {
 
+namespace {
+
+/// Sections of a helical wheel, so near to each other that no chord along the tips is farther than
+/// `tolerance` (a length) from its helix.
+std::vector<TwistLayer> layersOf(const GearSpec& spec, double tolerance) {
+  if (spec.helixAngle == 0) return {};
+  const double half = spec.faceWidth / 2;
+  const double slope = std::tan(spec.helixAngle) / pitchRadius(spec);
+  const double reach = std::max(nominalTipRadius(spec), nominalRootRadius(spec));
+  const auto layers = static_cast<int>(
+      std::ceil(std::abs(slope) * half / (2 * std::acos(1 - std::min(tolerance / reach, 1.0)))));
+  const int steps = std::max(layers, 1);  // of one half
+  std::vector<TwistLayer> all;
+  for (int i = -steps; i <= steps; ++i) {
+    const double height = half * i / steps;
+    const double turn = twistOf(spec, height);
+    if (i <= 0 || !spec.herringbone) all.push_back({height, turn, slope});
+    if (i >= 0 && spec.herringbone) all.push_back({height, turn, -slope});
+  }
+  return all;
+}
+
+}  // namespace
+
 Expected<Solid> gearSolid(const GearSpec& spec, double tolerance) {
   GEARGRAPH_REQUIRE(tolerance > 0);
   Diagnostics wrong = specDiagnostics(spec);
@@ -21,6 +46,7 @@ Expected<Solid> gearSolid(const GearSpec& spec, double tolerance) {
   blank.teeth = spec.teeth;
   blank.inward = isRing(spec);
   blank.tolerance = tolerance * spec.module;
+  blank.layers = layersOf(spec, blank.tolerance);
   blank.half = wheelForm(spec).toothFaces(toothOf(spec, tolerance), spec);
   blank.body = bodyProfile(spec);
   blank.windows = bodyWindows(spec);
@@ -33,7 +59,7 @@ std::size_t GearCache::KeyHash::operator()(const Key& key) const {
                      static_cast<std::size_t>(s.body);
   for (const double v :
        {s.module, s.pressureAngle, s.profileShift, s.backlashAllowance, s.addendum, s.dedendum, s.rootRadius,
-        s.tipRadius, s.coneAngle, s.faceWidth, s.bore, s.rim, s.hub, key.tolerance}) {
+        s.tipRadius, s.coneAngle, s.faceWidth, s.bore, s.rim, s.hub, s.helixAngle, key.tolerance}) {
     seed = seed * 1000003 + std::hash<double>{}(v);
   }
   return seed;

@@ -16,6 +16,34 @@ GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth)
   return spec;
 }
 
+GearSpec helical(GearSpec spec, double helixAngle) {
+  const double share = std::cos(helixAngle);
+  spec.helixAngle = helixAngle;
+  spec.pressureAngle = std::atan(std::tan(spec.pressureAngle) / share);
+  spec.module /= share;
+  for (double GearSpec::*proportion :
+       {&GearSpec::profileShift, &GearSpec::addendum, &GearSpec::dedendum, &GearSpec::rootRadius})
+    spec.*proportion *= share;
+  return spec;
+}
+
+double normalModule(const GearSpec& spec) {
+  return spec.module * std::cos(spec.helixAngle);
+}
+
+double normalPressureAngle(const GearSpec& spec) {
+  return std::atan(std::tan(spec.pressureAngle) * std::cos(spec.helixAngle));
+}
+
+double normalShift(const GearSpec& spec) {
+  return spec.profileShift / std::cos(spec.helixAngle);
+}
+
+double twistOf(const GearSpec& spec, double height) {
+  if (spec.helixAngle == 0) return 0;
+  return (spec.herringbone ? -std::abs(height) : height) * std::tan(spec.helixAngle) / pitchRadius(spec);
+}
+
 double pitchRadius(const GearSpec& spec) {
   return spec.module * spec.teeth / 2;
 }

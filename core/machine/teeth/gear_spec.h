@@ -19,6 +19,10 @@ enum class GearBody {
 ///
 /// Frame of the gear: axis +z, tooth 0 centred on +x. Spur and ring: centred on z = 0. Bevel: apex at the
 /// origin, the axis runs from the apex to the gear.
+///
+/// A helical wheel is described by its transverse section, like a spur wheel: module m_n / cos b, pressure
+/// angle atan(tan a_n / cos b), and proportions and shift of the normal section times cos b (helical()). Its
+/// section at z is the one at mid face turned by z tan(b) / r (twistOf()).
 struct GearSpec {
   GearKind kind = GearKind::external;
   int teeth = 20;
@@ -38,6 +42,8 @@ struct GearSpec {
   double rim = 0;         ///< ring: outer diameter, 0: from the root
   double hub = 0;         ///< dressed: diameter of the hub, 0: from the bore
   GearBody body = GearBody::plain;
+  double helixAngle = 0;     ///< at the reference cylinder, rad, positive: right-hand. Not for bevels
+  bool herringbone = false;  ///< `helixAngle` is that of the half below mid face, the other half mirrors it
 
   friend bool operator==(const GearSpec&, const GearSpec&) = default;
 };
@@ -45,6 +51,15 @@ struct GearSpec {
 /// A spec with this program's basic rack for the kind: ISO 53 A; for bevels a root radius of 0.30, for rings
 /// a fillet of 0.25 modules.
 [[nodiscard]] GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth);
+
+/// The helical wheel whose normal section has these measures. @pre spec.helixAngle is 0, not a bevel
+[[nodiscard]] GearSpec helical(GearSpec spec, double helixAngle);
+/// Module, pressure angle and profile shift in the normal section, as they are stated and sold.
+[[nodiscard]] double normalModule(const GearSpec& spec);
+[[nodiscard]] double normalPressureAngle(const GearSpec& spec);
+[[nodiscard]] double normalShift(const GearSpec& spec);
+/// The angle by which the section at height z, from mid face, is turned against the one there, rad.
+[[nodiscard]] double twistOf(const GearSpec& spec, double height);
 
 /// Reference pitch radius, m z / 2.
 [[nodiscard]] double pitchRadius(const GearSpec& spec);

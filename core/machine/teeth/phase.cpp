@@ -21,6 +21,13 @@ double angleOf(const PhaseWheel& wheel, const Vector3d& u) {
   return std::atan2(wheel.mark.cross(u).dot(wheel.axis), wheel.mark.dot(u));
 }
 
+/// By how much the section through a point is turned against mid face.
+double twistAt(const PhaseWheel& wheel, const Vector3d& point) {
+  if (wheel.twist == 0) return 0;
+  const double height = (point - wheel.centre).dot(wheel.axis);
+  return wheel.twist * (wheel.herringbone ? -std::abs(height) : height);
+}
+
 /// Into (-1/2, 1/2].
 double wrapped(double turns) {
   const double rest = turns - std::round(turns);
@@ -39,12 +46,20 @@ std::vector<std::vector<int>> meshesOf(std::size_t wheels, std::span<const Phase
 
 }  // namespace
 
+PhaseWheel phaseWheelOf(const GearSpec& spec, const Vector3d& centre, const Vector3d& axis,
+                        const Vector3d& mark) {
+  PhaseWheel wheel{centre, axis, mark, spec.teeth};
+  if (spec.helixAngle != 0) wheel.twist = std::tan(spec.helixAngle) / pitchRadius(spec);
+  wheel.herringbone = spec.herringbone;
+  return wheel;
+}
+
 MeshPhase meshPhase(const PhaseWheel& a, const PhaseWheel& b, const Vector3d& pitchPoint) {
   const Vector3d ua = radial(a, pitchPoint);
   const Vector3d ub = radial(b, pitchPoint);
   const Vector3d normal = a.axis.cross(ua);  // sig_a is +1 by this choice
   const int sign = b.axis.cross(ub).dot(normal) >= 0 ? 1 : -1;
-  return {angleOf(a, ua), angleOf(b, ub), sign};
+  return {angleOf(a, ua) - twistAt(a, pitchPoint), angleOf(b, ub) - twistAt(b, pitchPoint), sign};
 }
 
 double phaseError(const MeshPhase& phase, const PhaseWheel& a, double angleA, const PhaseWheel& b,

@@ -4,15 +4,19 @@
 #include <span>
 #include <vector>
 
+#include "core/machine/teeth/gear_spec.h"
+
 namespace geargraph::inline teeth {
 
 /// A toothed wheel for the phase calculation, in the frame of the carrier of the mesh (in the reference pose:
 /// the base frame).
 struct PhaseWheel {
-  Eigen::Vector3d centre;  ///< any point of the axis
+  Eigen::Vector3d centre;  ///< any point of the axis; of a helical wheel: mid face
   Eigen::Vector3d axis;    ///< unit, the +z of the gear's own frame; bevel: from the apex to the gear
   Eigen::Vector3d mark;    ///< unit, normal to the axis: direction of tooth 0 at angle 0
   int teeth = 1;
+  double twist = 0;          ///< helical: tan(b) / r, by which sections turn along the axis, rad per length
+  bool herringbone = false;  ///< `twist` is that of the half below mid face, the other half mirrors it
 };
 
 /// Two wheels, by position, and the point at which their pitch surfaces touch.
@@ -24,10 +28,15 @@ struct PhaseMesh {
 
 /// How the teeth of a pair pass their pitch point.
 struct MeshPhase {
-  double psiA = 0;  ///< angle of the pitch point about a's axis, from a's mark, rad
+  /// Angle of the pitch point about a's axis, from a's mark, less the twist of the section there, rad.
+  double psiA = 0;
   double psiB = 0;
   int sign = 1;  ///< teeth of a and b pass the point the same way for equal (+1) or opposite (-1) turns
 };
+
+/// The wheel of a spec at a place: mid face or apex, axis, direction of tooth 0.
+[[nodiscard]] PhaseWheel phaseWheelOf(const GearSpec& spec, const Eigen::Vector3d& centre,
+                                      const Eigen::Vector3d& axis, const Eigen::Vector3d& mark);
 
 /// The geometry of README.md, section 4: u radial towards the pitch point, n = k_a x u_a the common tooth
 /// normal, sign = sig_a sig_b with sig_i = sign((k_i x u_i) . n), for external, internal and bevel pairs

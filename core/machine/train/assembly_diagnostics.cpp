@@ -68,7 +68,8 @@ struct Epicyclic {
 };
 
 PhaseWheel phaseWheel(const TrainGear& gear) {
-  return {gear.pose.translation(), gear.pose.linear().col(2), gear.pose.linear().col(0), gear.spec.teeth};
+  return phaseWheelOf(gear.spec, gear.pose.translation(), gear.pose.linear().col(2),
+                      gear.pose.linear().col(0));
 }
 
 /// Pitches by which a planet's residual grows when its place is turned about the central axis, per turn: the

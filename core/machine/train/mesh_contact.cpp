@@ -52,6 +52,11 @@ MeshContact contactOf(const TrainPair& pair, const GearSpec& tailSpec, const Gea
   }
   contact.tailAddendum = addendumRatio(tail, head, angle, contact.pressureAngle);
   contact.headAddendum = addendumRatio(head, tail, angle, contact.pressureAngle);
+  if (tailSpec.helixAngle != 0) {
+    const double tangent = std::tan(tailSpec.helixAngle) * std::cos(angle);
+    contact.baseHelix = std::abs(std::atan(tangent));
+    if (!tailSpec.herringbone) contact.helix = std::atan(tangent / std::cos(contact.pressureAngle));
+  }
   // A crown gear has no virtual teeth: 1 / z is 0.
   const auto inverse = [](const PlaneGear& gear) { return std::isfinite(gear.teeth) ? 1 / gear.teeth : 0; };
   contact.slidingTeeth =
@@ -83,7 +88,7 @@ double toothLossFactor(const MeshContact& contact) {
     inContact += width;
   }
   const double average = inContact > 0 ? sumOfAll / inContact : 0;
-  return 2 * std::numbers::pi * contact.slidingTeeth * average;
+  return 2 * std::numbers::pi * contact.slidingTeeth * average / std::cos(contact.baseHelix);
 }
 
 std::vector<std::optional<MeshContact>> meshContacts(const Mechanism& mechanism, const Placement& placement,

@@ -19,6 +19,10 @@ struct MeshContact {
   /// 1 / z_1 + 1 / z_2; for a ring and its pinion the difference; for a bevel pair with virtual tooth numbers
   /// z / cos(d).
   double slidingTeeth = 0;
+  /// Of helical teeth: the helix angle of the tail's gear at the cylinder on which it works, rad, positive
+  /// right-hand, 0 of herringbone teeth; and the size of the helix angle at the base cylinder.
+  double helix = 0;
+  double baseHelix = 0;
 };
 
 /// The tooth loss factor H_v: the lost fraction of the power through the teeth per coefficient of friction,
@@ -29,7 +33,8 @@ struct MeshContact {
 /// shared equally by the pairs in contact. Where eps_1, eps_2 <= 1 <= eps_1 + eps_2 <= 2 it is the formula of
 /// H. Ohlendorf (dissertation, TH München, 1958; ISO/TR 14179-2),
 ///     pi (1/z_1 +- 1/z_2) (1 - eps_a + eps_1^2 + eps_2^2),   eps_a = eps_1 + eps_2;
-/// elsewhere the pieces are integrated.
+/// elsewhere the pieces are integrated. Of helical teeth it is that of the transverse section over cos
+/// beta_b, because the force stands across the teeth.
 [[nodiscard]] double toothLossFactor(const MeshContact& contact);
 
 /// By mesh, for the wheels as the program shapes them (module, profile shifts and tips as given in the

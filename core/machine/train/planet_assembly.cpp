@@ -82,7 +82,7 @@ class PlanetSet {
   [[nodiscard]] double markAngle(const EqualLinks& of, std::size_t planet, std::size_t which) const;
   [[nodiscard]] PhaseWheel wheel(GearOrdinal g) const {
     const Eigen::Isometry3d& pose = gear(g).pose;
-    return {pose.translation(), pose.linear().col(2), pose.linear().col(0), gear(g).spec.teeth};
+    return phaseWheelOf(gear(g).spec, pose.translation(), pose.linear().col(2), pose.linear().col(0));
   }
   [[nodiscard]] std::vector<Tie> tiesOf(GearOrdinal g, const Eigen::Vector3d& axis) const;
   /// The mesh of the first planet with a gear outside of it that the others' places are compared by.

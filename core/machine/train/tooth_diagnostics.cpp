@@ -84,15 +84,15 @@ void ToothFinder::addGear(const TrainGear& gear) {
         "Gear %1 (%2 teeth) is undercut: at a profile shift of %3 a rack needs %4 teeth or more. Use more "
         "teeth, or "
         "a shift of at least %5.",
-        {gear.name, teeth, fixedText(spec.profileShift, 2), fixedText(fewestTeethWithoutUndercut(spec), 1),
-         fixedText(leastShiftWithoutUndercut(spec), 2)});
+        {gear.name, teeth, fixedText(normalShift(spec), 2), fixedText(fewestTeethWithoutUndercut(spec), 1),
+         fixedText(leastShiftWithoutUndercut(spec) / std::cos(spec.helixAngle), 2)});
     found.push_back(std::move(undercut));
   }
   if (tooth.shortened) {
     add(Detail::pointedTeeth,
         translated("Gear %1 (%2 teeth) would have pointed teeth: its tips were lowered to keep a land of %3 "
                    "modules. Use a smaller profile shift than %4.",
-                   {gear.name, teeth, fixedText(kNarrowestLand, 1), fixedText(spec.profileShift, 2)}),
+                   {gear.name, teeth, fixedText(kNarrowestLand, 1), fixedText(normalShift(spec), 2)}),
         blamed(m_mechanism, gear));
   }
 }

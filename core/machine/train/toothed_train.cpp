@@ -29,7 +29,7 @@ PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>&
   std::vector<PhaseWheel> wheels;
   for (const TrainWheel& w : train.wheels) {
     frames.push_back(frameAlong(w.origin, w.axis));
-    wheels.push_back({w.origin, w.axis, frames.back().linear().col(0), w.spec.teeth});
+    wheels.push_back(phaseWheelOf(w.spec, w.origin, w.axis, frames.back().linear().col(0)));
   }
   std::vector<PhaseMesh> meshes;
   for (const TrainPair& pair : train.pairs) meshes.push_back({pair.tail, pair.head, pair.pitchPoint});
@@ -81,13 +81,42 @@ GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
     const TrainPair& pair = wheels.pairs[p];
     train.meshes.push_back({pair.mesh, pair.tail, pair.head, pair.pitchPoint, phases.residuals[p]});
   }
+  train.conflicts = wheels.conflicts;
   return train;
 }
+
+namespace {
+
+/// teeth-geometry of wheels that two meshes give different teeth.
+Diagnostics conflictDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
+  Diagnostics found;
+  for (const TeethConflict& conflict : train.conflicts) {
+    const TrainGear& gear = train.gears[conflict.wheel];
+    const std::string first = std::to_string(mechanism.meshLabel(conflict.first));
+    const std::string mesh = std::to_string(mechanism.meshLabel(conflict.mesh));
+    found.push_back(makeDiagnostic(
+        conflict.isHelix ? Detail::helixAgainstTeeth : Detail::teethAgainstRadii,
+        conflict.isHelix
+            ? translated("Meshes %1 and %2 give the teeth of gear %3 different helix angles or hands. What "
+                         "fits: one helix for both (a wheel and the ring round it have the same hand, two "
+                         "wheels beside each other opposite ones), or two wheels with names of their own.",
+                         {first, mesh, gear.name})
+            : translated("Meshes %1 and %2 give gear %3 different modules. What fits: one module for both, "
+                         "or two wheels with names of their own.",
+                         {first, mesh, gear.name}),
+        {mechanism.gearMeshes[conflict.mesh].id, mechanism.gearMeshes[conflict.first].id,
+         mechanism.links[gear.link].id}));
+  }
+  return found;
+}
+
+}  // namespace
 
 Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                              const std::stop_token& stop) {
   if (!placement.tree || !placement.classes) return {};
-  Diagnostics found = toothDiagnostics(mechanism, train, stop);
+  Diagnostics found = conflictDiagnostics(mechanism, train);
+  append(found, toothDiagnostics(mechanism, train, stop));
   if (stop.stop_requested()) return found;
   append(found, neighbourDiagnostics(mechanism, placement, train));
   append(found, assemblyDiagnostics(mechanism, train, stop));

@@ -9,6 +9,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/machine/solids/deferred_solid.h"
 #include "core/machine/teeth/gear_spec.h"
+#include "core/machine/train/train_wheels.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::inline bodies {
@@ -62,6 +63,7 @@ constexpr std::size_t kMaxRoutedGears = 400;
 struct GearTrain {
   ByGear<TrainGear> gears;
   std::vector<TrainMesh> meshes;
+  std::vector<TeethConflict> conflicts;
   std::vector<LinkBody> bodies;
   /// Links whose bodies have no clearance from each other: two, or all of one axis.
   std::vector<std::vector<LinkOrdinal>> blocked;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "core/foundations/base/disjoint_sets.h"
 #include "core/machine/solids/spec_diagnostics.h"
@@ -45,18 +46,30 @@ int teethSum(const TrainPair& pair, const TrainWheels& train) {
   return distanceTeeth(pair.kind, tail, head);
 }
 
-void setModules(TrainWheels& train) {
+/// The module of each group of wheels in mesh: the first that a mesh states, else the least that distances
+/// make.
+void setModules(const Mechanism& mechanism, TrainWheels& train) {
   DisjointSets groups = wheelsOfOneModule(train);
   std::vector<double> module(train.wheels.size(), 0);
+  std::vector<char> isStated(train.wheels.size(), 0);
   for (const TrainPair& pair : train.pairs) {
     if (!hasParallelAxes(pair.kind)) continue;
+    const std::size_t group = groups.root(static_cast<std::size_t>(pair.tail));
+    if (isStated[group] != 0) continue;
+    double& least = module[group];
+    if (const std::optional<Number>& stated = mechanism.gearMeshes[pair.mesh].module) {
+      least = stated->value() / std::cos(train.wheels[pair.tail].spec.helixAngle);
+      isStated[group] = 1;
+      continue;
+    }
     const double wanted = 2 * pair.distance / teethSum(pair, train);
-    double& least = module[groups.root(static_cast<std::size_t>(pair.tail))];
     if (least == 0 || wanted < least) least = wanted;
   }
   for (const GearOrdinal w : train.wheels.ordinals()) {
     GearSpec& spec = train.wheels[w].spec;
-    if (!isConical(spec)) spec.module = module[groups.root(static_cast<std::size_t>(w))];
+    const std::size_t group = groups.root(static_cast<std::size_t>(w));
+    if (module[group] > 0) spec.module = module[group];  // else it has its module already: bevels, pulleys
+    if (!isConical(spec) && isStated[group] != 0) continue;
     spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
     spec.coneAngle = rounded(spec.coneAngle, kAngleStep);
   }
@@ -200,7 +213,7 @@ void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
 }
 
 double defaultFace(const GearSpec& spec) {
-  if (!isConical(spec)) return kDefaultSpurFace * spec.module;
+  if (!isConical(spec)) return kDefaultSpurFace * normalModule(spec);
   return std::min(coneDistance(spec) / 3, kMaxBevelFace * spec.module);
 }
 
@@ -262,6 +275,15 @@ void setTips(TrainWheels& train) {
   }
 }
 
+/// The normal pressure angle of a wheel's teeth, of the first of its meshes that states one.
+const Number* statedAngle(const Mechanism& mechanism, const TrainWheel& wheel) {
+  for (const MeshOrdinal mesh : wheel.meshes) {
+    if (const std::optional<Number>& angle = mechanism.gearMeshes[mesh].pressureAngle) return &*angle;
+  }
+  const std::optional<GearDefaults>& defaults = mechanism.gearDefaults;
+  return defaults && defaults->pressureAngle ? &*defaults->pressureAngle : nullptr;
+}
+
 }  // namespace
 
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) {
@@ -269,16 +291,17 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop
   std::vector<bool> fixed;
   for (TrainWheel& wheel : train.wheels) {
     const Wheel* drawn = wheel.id ? mechanism.find(*wheel.id) : nullptr;
-    if (defaults && defaults->pressureAngle) {
-      wheel.spec.pressureAngle = defaults->pressureAngle->value() * std::numbers::pi / 180;
-    }
+    if (const Number* const angle = statedAngle(mechanism, wheel))
+      wheel.spec.pressureAngle = angle->value() * std::numbers::pi / 180;
     wheel.spec.backlashAllowance = backlashOf(mechanism, wheel.id).toDouble() / 2;
     if (drawn != nullptr && drawn->bore) wheel.spec.bore = drawn->bore->value();
     fixed.push_back(drawn != nullptr && drawn->profileShift.has_value());
     if (fixed.back()) wheel.spec.profileShift = drawn->profileShift->value();
     wheel.spec.body = GearBody::dressed;
+    if (const double helix = std::exchange(wheel.spec.helixAngle, 0); helix != 0)
+      wheel.spec = helical(wheel.spec, helix);
   }
-  setModules(train);
+  setModules(mechanism, train);
   setShifts(train, fixed, stop);
   balanceBevelShifts(train, fixed);
   setFaces(mechanism, train);

@@ -49,6 +49,8 @@ class WheelFinder {
   [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, GearKind kind) const;
   void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
+  void setHelices(const GearMesh& drawn, const MeshGeometry& geometry, TrainWheel& a, TrainWheel& b) const;
+  void compare(GearOrdinal wheel, const TrainWheel& with, MeshOrdinal mesh);
   [[nodiscard]] std::vector<GearOrdinal> like(const TrainWheel& wheel) const;
   int add(TrainWheel wheel, std::optional<int> known, MeshOrdinal mesh);
   [[nodiscard]] static bool isSame(const TrainWheel& a, const TrainWheel& b);
@@ -80,6 +82,7 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
     a = parallelWheel(tail, geometry, wheelOf(geometry.kind, tail.teeth, head.teeth));
     b = parallelWheel(head, geometry, wheelOf(geometry.kind, head.teeth, tail.teeth));
   }
+  setHelices(drawn, geometry, a, b);
   a.id = tail.named;
   b.id = head.named;
   const std::vector<GearOrdinal> tails = like(a), heads = like(b);
@@ -90,6 +93,8 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   if (pair.movable && !a.id && !b.id) known = m_sharing.choose(a, tails, b, heads);
   pair.tail = add(a, known.tail, mesh);
   pair.head = add(b, known.head, mesh);
+  compare(pair.tail, a, mesh);
+  compare(pair.head, b, mesh);
   if (pair.movable) m_sharing.join(pair.tail, a, pair.head, b);
   m_train.pairs.push_back(pair);
 }
@@ -105,6 +110,29 @@ TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geom
   wheel.workingRadius = side.radius;
   wheel.spec = standardGear(kind, side.teeth, 1, 1);
   return wheel;
+}
+
+/// The helices in the wheels' own frames. That of a herringbone wheel is its half on the side against the
+/// axis; where the axes of the two point opposite ways, that half meets the other one of the partner.
+void WheelFinder::setHelices(const GearMesh& drawn, const MeshGeometry& geometry, TrainWheel& a,
+                             TrainWheel& b) const {
+  const bool turned = drawn.herringbone && a.axis.dot(b.axis) < 0;
+  a.spec.helixAngle = geometry.tailHelix;
+  b.spec.helixAngle = turned ? -geometry.headHelix : geometry.headHelix;
+  a.spec.herringbone = b.spec.herringbone = drawn.herringbone && geometry.tailHelix != 0;
+}
+
+/// Notes where a mesh says other teeth of a wheel than the meshes before it.
+void WheelFinder::compare(GearOrdinal wheel, const TrainWheel& with, MeshOrdinal mesh) {
+  const TrainWheel& known = m_train.wheels[wheel];
+  const MeshOrdinal first = known.meshes.front();
+  if (first == mesh) return;
+  const bool isSameHelix =
+      same(known.spec.helixAngle, with.spec.helixAngle, 1) && known.spec.herringbone == with.spec.herringbone;
+  const std::optional<Number>& module = m_mechanism.gearMeshes[mesh].module;
+  const std::optional<Number>& was = m_mechanism.gearMeshes[first].module;
+  const bool isSameModule = !module || !was || same(module->value(), was->value(), was->value());
+  if (!isSameHelix || !isSameModule) m_train.conflicts.push_back({wheel, mesh, first, !isSameHelix});
 }
 
 /// The half axes from the apex to the gears. Both point the way of the pitch point; where it does not lie

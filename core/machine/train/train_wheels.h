@@ -36,13 +36,22 @@ struct TrainPair {
   bool openFace = false;  ///< the document gives no face width
 };
 
+/// A wheel of which a mesh says other teeth than those before it: helix angle, hand or module.
+struct TeethConflict {
+  GearOrdinal wheel;
+  MeshOrdinal mesh;     ///< that differs
+  MeshOrdinal first;    ///< that the wheel follows
+  bool isHelix = true;  ///< else the module
+};
+
 struct TrainWheels {
   ByGear<TrainWheel> wheels;
   std::vector<TrainPair> pairs;
+  std::vector<TeethConflict> conflicts;
 };
 
-/// The wheels with their places, kinds, teeth and cone angles. The other members of the specs are not set
-/// yet. The result is meaningless if `stop` was requested meanwhile.
+/// The wheels with their places, kinds, teeth, cone and helix angles. The other members of the specs are not
+/// set yet. The result is meaningless if `stop` was requested meanwhile.
 [[nodiscard]] TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement,
                                    const std::stop_token& stop = {});
 

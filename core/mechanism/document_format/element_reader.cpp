@@ -18,6 +18,14 @@ std::optional<MeshKind> meshKindOf(JsonObject& from, std::string_view name) {
   return std::nullopt;
 }
 
+std::optional<Hand> handOf(JsonObject& from, std::string_view name) {
+  const auto value = from.member(name);
+  if (!value) return std::nullopt;
+  const auto hand = value->is(JsonKind::string) ? handFrom(value->string()) : std::nullopt;
+  if (!hand) from.wrong(name, *value, toTranslate("\"right\" or \"left\""));
+  return hand;
+}
+
 std::optional<AxisId> optionalAxis(JsonObject& from, std::string_view name) {
   const auto axis = from.id(name);
   return axis ? std::optional(AxisId(*axis)) : std::nullopt;
@@ -67,6 +75,10 @@ class FieldReader {
   template <class Member>
   void read(const Member& field, std::optional<MeshKind>& kind) const {
     kind = meshKindOf(m_from, field.info().name);
+  }
+  template <class Member>
+  void read(const Member& field, std::optional<Hand>& hand) const {
+    hand = handOf(m_from, field.info().name);
   }
   template <class Member>
   void read(const Member& field, SharedOptional<LinkMass>& stated) const {

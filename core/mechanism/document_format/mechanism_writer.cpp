@@ -121,6 +121,10 @@ class MechanismWriter {
     if (kind) m_json.member(field.info().name, meshKindName(*kind));
   }
   template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, const std::optional<Hand>& hand) {
+    if (hand) m_json.member(field.info().name, handName(*hand));
+  }
+  template <class Member, class Object>
   void member(const Member& field, const Object& /*object*/, const std::optional<LoadSharing>& sharing) {
     if (sharing) m_json.member(field.info().name, loadSharingName(*sharing));
   }

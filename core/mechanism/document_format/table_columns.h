@@ -47,6 +47,7 @@ constexpr bool hasOwnColumn(MemberValue value) {
     case MemberValue::flag:
     case MemberValue::teeth:
     case MemberValue::meshKind:
+    case MemberValue::hand:
     case MemberValue::sharing:
     case MemberValue::number:
       return true;
@@ -201,6 +202,8 @@ void fieldColumns(Row& row, const Member& field, Object& object) {
     row.number(kHighLimit, value.high);
   } else if constexpr (std::is_same_v<Value, std::optional<MeshKind>>) {
     row.meshKind(info.name, value);
+  } else if constexpr (std::is_same_v<Value, std::optional<Hand>>) {
+    row.hand(info.name, value);
   } else if constexpr (std::is_same_v<Value, std::optional<LoadSharing>>) {
     row.sharing(info.name, value);
   } else if constexpr (std::is_same_v<Value, SharedOptional<LinkMass>>) {

@@ -167,6 +167,13 @@ void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& 
   if (!kind) unexpected(column, toTranslate("external, internal or bevel"));
 }
 
+void TableRowReader::hand(std::string_view column, std::optional<Hand>& hand) {
+  const std::string& text = cell(column);
+  if (text.empty()) return;
+  hand = handFrom(text);
+  if (!hand) unexpected(column, toTranslate("right, left or nothing"));
+}
+
 void TableRowReader::sharing(std::string_view column, std::optional<LoadSharing>& sharing) {
   const std::string& text = cell(column);
   if (text.empty()) return;

@@ -61,6 +61,7 @@ class TableRowReader {
                std::optional<std::array<Number, count>>& numbers);
   void teeth(std::string_view column, int& teeth);
   void meshKind(std::string_view column, std::optional<MeshKind>& kind);
+  void hand(std::string_view column, std::optional<Hand>& hand);
   void sharing(std::string_view column, std::optional<LoadSharing>& sharing);
   void flag(std::string_view column, bool& flag);
   /// What a load does, and where a balance acts: several cells together.

@@ -78,6 +78,9 @@ class TableRowWriter {
   void meshKind(std::string_view column, const std::optional<MeshKind>& kind) {
     if (kind) cell(column, std::string(meshKindName(*kind)));
   }
+  void hand(std::string_view column, const std::optional<Hand>& hand) {
+    if (hand) cell(column, std::string(handName(*hand)));
+  }
   void sharing(std::string_view column, const std::optional<LoadSharing>& sharing) {
     if (sharing) cell(column, std::string(loadSharingName(*sharing)));
   }

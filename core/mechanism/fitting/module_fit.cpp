@@ -57,7 +57,9 @@ Diagnostic rejection(MeshId mesh, std::string why) {
 std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
   const auto& geometry = placement.meshes[mesh];
   if (!geometry) return std::nullopt;
-  return 2 * std::abs(geometry->tailRadius) / mechanism.gearMeshes[mesh].tailTeeth;
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  if (element.module) return element.module->value();
+  return 2 * std::abs(geometry->tailRadius) / element.tailTeeth * std::cos(geometry->tailHelix);
 }
 
 Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh, const Rational& module) {
@@ -77,6 +79,10 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
   const std::vector<int> along =
       meshesOfOneModule(mechanism, placement, [position](int each) { return each == position; });
   Mechanism edited = mechanism;
+  for (const int each : along) {
+    std::optional<Number>& stated = edited.gearMeshes[each].module;
+    if (stated) stated = Number(factor * stated->exact());
+  }
   if (!hasParallelAxes(geometryOf(placement, position).kind)) {
     for (const int each : along)
       edited.gearMeshes[each].pitchPoint = grownPoint(mechanism, placement, each, factor);

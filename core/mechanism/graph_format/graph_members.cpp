@@ -23,6 +23,7 @@ MemberType typeOf(MemberValue value) {
     case MemberValue::text:
     case MemberValue::shortText:
     case MemberValue::meshKind:
+    case MemberValue::hand:
     case MemberValue::couplingKind:
     case MemberValue::sharing:
       return MemberType::text;

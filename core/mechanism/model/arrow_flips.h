@@ -12,11 +12,14 @@ inline void flip(TurningJoint& joint) {
   std::swap(joint.tail, joint.head);
   joint.limits = opposite(joint.limits);
 }
-/// Exchanges tail and head with their teeth and wheels.
+/// Exchanges tail and head with their teeth and wheels. The helix, which is that of the tail's gear, becomes
+/// that of the other one: of the opposite hand, if the pair is not (said to be) an internal one.
 inline void flip(GearMesh& mesh) {
   std::swap(mesh.tail, mesh.head);
   std::swap(mesh.tailTeeth, mesh.headTeeth);
   std::swap(mesh.tailWheel, mesh.headWheel);
+  if (!mesh.helixAngle || turnsAlike(saidKind(mesh))) return;
+  mesh.hand = mesh.hand == Hand::left ? Hand::right : Hand::left;
 }
 
 /// Adapts a torque in the joint after a flip of the joint: the same action on the same two links.

@@ -281,7 +281,46 @@ struct Description<GearMesh> {
                                   .meaning = "the coefficient of friction of the teeth, instead of an "
                                              "`efficiency`",
                                   .fallback = "that of `gearDefaults`",
-                                  .range = NumberRange::fraction}));
+                                  .range = NumberRange::fraction}),
+      field(&GearMesh::helixAngle,
+            {.name = "helixAngle",
+             .value = MemberValue::number,
+             .meaning = "of the teeth of the first gear at its reference cylinder; not of a bevel pair. The "
+                        "ratio does not depend on it",
+             .fallback = "straight teeth",
+             .measure = Measure::angle,
+             .range = NumberRange::acuteAngle,
+             .since = 2}),
+      field(&GearMesh::hand,
+            {.name = "hand",
+             .value = MemberValue::hand,
+             .meaning = "of the helix of the first gear. That of the second follows: the opposite one of an "
+                        "external pair, the same of an internal one",
+             .fallback = "`right`",
+             .since = 2}),
+      field(&GearMesh::herringbone,
+            {.name = "herringbone",
+             .value = MemberValue::flag,
+             .meaning = "the helix changes its hand at mid face, so that no axial force is left; `hand` is "
+                        "that of the half on the side against the direction of the first gear's axis",
+             .fallback = "false",
+             .since = 2}),
+      field(&GearMesh::module,
+            {.name = "module",
+             .value = MemberValue::number,
+             .meaning = "the normal module; with the centre distance it fixes the sum of the profile shifts. "
+                        "Of a bevel pair without `pitchPoint`: at the large end",
+             .fallback = "follows from the centre distance",
+             .measure = Measure::length,
+             .range = NumberRange::positive,
+             .since = 2}),
+      field(&GearMesh::pressureAngle, {.name = "pressureAngle",
+                                       .value = MemberValue::number,
+                                       .meaning = "of the teeth, in the normal section",
+                                       .fallback = "that of `gearDefaults`",
+                                       .measure = Measure::angle,
+                                       .range = NumberRange::positive,
+                                       .since = 2}));
 };
 
 template <>

@@ -1,6 +1,7 @@
 #include "core/mechanism/model/mechanism.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/foundations/base/contract.h"
 
@@ -22,6 +23,11 @@ std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
 }
 
 }  // namespace
+
+double helixOf(const GearMesh& mesh) {
+  if (!mesh.helixAngle) return 0;
+  return signOf(mesh.hand.value_or(Hand::right)) * mesh.helixAngle->value() * std::numbers::pi / 180;
+}
 
 std::string_view loadSharingName(LoadSharing sharing) {
   return sharing == LoadSharing::stiffness ? "stiffness" : "none";

@@ -12,6 +12,7 @@
 #include "core/foundations/base/id.h"
 #include "core/foundations/base/ordinal.h"
 #include "core/foundations/base/shared_optional.h"
+#include "core/mechanism/kinds/hand.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/link_mass.h"
 #include "core/mechanism/model/load.h"
@@ -100,9 +101,19 @@ struct GearMesh {
   /// efficiency and friction is given.
   std::optional<Number> efficiency = {};
   std::optional<Number> friction = {};  ///< coefficient of friction of the teeth, 0 to 1
+  /// Of the teeth of the tail's gear at its reference cylinder, degrees, 0 <= . < 90; none: straight.
+  std::optional<Number> helixAngle = {};
+  std::optional<Hand> hand = {};  ///< of that helix; none: right
+  bool herringbone = false;       ///< the two halves of the face have opposite hands, `hand` the lower one
+  std::optional<Number> module = {};         ///< normal module; none: from the centre distance
+  std::optional<Number> pressureAngle = {};  ///< normal, degrees; none: that of GearDefaults
   UnknownMembers unknown = {};
   friend bool operator==(const GearMesh&, const GearMesh&) = default;
 };
+
+/// The helix angle of the tail's gear at its reference cylinder, rad, positive for a right-hand helix, 0 for
+/// straight teeth.
+[[nodiscard]] double helixOf(const GearMesh& mesh);
 
 /// The kind that the document says, kUsualKind where it says none.
 [[nodiscard]] inline MeshKind saidKind(const GearMesh& mesh) {

@@ -40,6 +40,7 @@ enum class MemberValue {
   flag,            ///< true or false
   teeth,           ///< a whole number from kMinTeeth to kMaxTeeth
   meshKind,        ///< meshKindName()
+  hand,            ///< handName()
   couplingKind,    ///< "brake" or "clutch"
   sharing,         ///< loadSharingName()
   number,          ///< exact; a fraction is a text
@@ -84,6 +85,7 @@ enum class NumberRange {
   notNegative,  ///< at least 0
   efficiency,   ///< above 0, at most 1
   fraction,     ///< from 0 to 1
+  acuteAngle,   ///< at least 0, below 90
 };
 
 /// One member of the document's format. All that reads, writes, checks or explains members reads this.

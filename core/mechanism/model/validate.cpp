@@ -152,6 +152,23 @@ class WellFormedCheck {
         add(Code::schema, translated("The face width of a gear mesh is above 0."), {mesh.id},
             at + "/faceWidth");
       }
+      checkTeeth(mesh, at);
+    }
+  }
+
+  void checkTeeth(const GearMesh& mesh, const std::string& at) {
+    const auto outside = [](const std::optional<Number>& degrees) {
+      return degrees && (degrees->exact().sign() < 0 || degrees->exact() >= Rational(90));
+    };
+    if (outside(mesh.helixAngle)) {
+      add(Code::schema, translated("The helix angle of a gear mesh is at least 0 and below 90 degrees."),
+          {mesh.id}, at + "/helixAngle");
+    }
+    if (mesh.module && mesh.module->value() <= 0)
+      add(Code::schema, translated("The module of a gear mesh is above 0."), {mesh.id}, at + "/module");
+    if (outside(mesh.pressureAngle) || (mesh.pressureAngle && mesh.pressureAngle->value() <= 0)) {
+      add(Code::schema, translated("The pressure angle of a gear mesh is above 0 and below 90 degrees."),
+          {mesh.id}, at + "/pressureAngle");
     }
   }
 

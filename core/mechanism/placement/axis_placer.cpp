@@ -124,6 +124,11 @@ class AxisPlacer {
     return distanceTeeth(saidKind(of), of.tailTeeth, of.headTeeth);
   }
 
+  /// The transverse module of a pair: that which it states, else the train's.
+  [[nodiscard]] Rational moduleOf(MeshOrdinal position) const {
+    return statedModule(mesh(position)).value_or(m_module);
+  }
+
   [[nodiscard]] Rational moduleOfGiven() const {
     for (std::size_t i = 0; i < m_words.size(); ++i) {
       if (!m_words[i]) continue;
@@ -207,7 +212,7 @@ class AxisPlacer {
                 scaledTo(from.exact.direction, Rational(BevelArranger::kStep * apex) * m_module);
       }
     } else {
-      const Rational distance = m_module * Rational(distanceTeethOf(partner.mesh), 2);
+      const Rational distance = moduleOf(partner.mesh) * Rational(distanceTeethOf(partner.mesh), 2);
       point = from.exact.point + scaledTo(outward, distance);
       direction = from.exact.direction;
       if (const auto held = heldByTwo(axis, partner)) point = *held;
@@ -257,9 +262,9 @@ class AxisPlacer {
         continue;
       const PlacedLine& b = *m_lines[other.axis];
       if (!isParallel(a.exact.direction, b.exact.direction)) continue;
-      const double half = m_module.toDouble() / 2;
-      const double radiusA = half * distanceTeethOf(partner.mesh);
-      const double radiusB = half * distanceTeethOf(other.mesh);
+      const auto reach = [&](MeshOrdinal of) { return moduleOf(of).toDouble() / 2 * distanceTeethOf(of); };
+      const double radiusA = reach(partner.mesh);
+      const double radiusB = reach(other.mesh);
       Vector3 between = exactDifference(b.exact.point, a.exact.point);
       between = between - dot(between, a.direction) * a.direction;
       const double distance = length(between);
@@ -287,6 +292,13 @@ class AxisPlacer {
 };
 
 }  // namespace
+
+std::optional<Rational> statedModule(const GearMesh& mesh) {
+  if (!mesh.module) return std::nullopt;
+  const double helix = helixOf(mesh);
+  if (helix == 0) return mesh.module->exact();
+  return Rational::fromDouble(mesh.module->value() / std::cos(helix));
+}
 
 PlacedAxes placedAxes(const Mechanism& mechanism, ByAxis<AxisLine> given, const JointTree* tree,
                       const AxisClasses& classes, const ByMesh<std::optional<MeshWord>>& words) {

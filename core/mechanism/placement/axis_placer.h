@@ -11,6 +11,10 @@ namespace geargraph::inline placement {
 /// The module (pitch diameter / teeth) of trains whose document gives no size.
 constexpr int kDefaultModule = 2;
 
+/// The module of the pitch circles that a mesh states, of parallel axes in the transverse plane: m_n / cos
+/// beta, a fraction near it where it is irrational. std::nullopt where it states none.
+[[nodiscard]] std::optional<Rational> statedModule(const GearMesh& mesh);
+
 struct PlacedAxes {
   ByAxis<AxisLine> lines;
   std::vector<ExactLine> chosen;  ///< the automatic lines in fractions

@@ -158,6 +158,46 @@ Diagnostic wrongTeeth(const Mechanism& mechanism, MeshOrdinal mesh, const GearPa
                   text(fitting), fit(pair, position, found, found.sign)}));
 }
 
+Diagnostic helixOnMeetingAxes(const Mechanism& mechanism, MeshOrdinal mesh) {
+  return makeDiagnostic(
+      mechanism, mesh, Detail::helixAgainstTeeth,
+      translated(
+          "it has a helix angle or herringbone teeth, but its axes meet: bevel teeth are straight here. "
+          "What fits: none."));
+}
+
+/// `module` with teeth that no sum of profile shifts brings to the distance of the axes.
+Diagnostic moduleAgainstDistance(const Mechanism& mechanism, MeshOrdinal mesh, double distance,
+                                 double standard, double fitting) {
+  return makeDiagnostic(
+      mechanism, mesh, Detail::teethAgainstRadii,
+      translated(
+          "its module %1 makes a centre distance of %2, and the axes are %3 apart: profile shifts make "
+          "up for two modules at most. What fits: the module %4.",
+          {text(mechanism.gearMeshes[mesh].module->value()), text(standard), text(distance), text(fitting)}));
+}
+
+/// The helices of both gears, and what the stated module says of the distance of parallel axes.
+std::optional<Diagnostic> checkHelix(const Mechanism& mechanism, MeshOrdinal mesh, LinePosition position,
+                                     MeshGeometry& geometry) {
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  if (position != LinePosition::parallel) {
+    if (helixOf(element) != 0 || element.herringbone) return helixOnMeetingAxes(mechanism, mesh);
+    return std::nullopt;
+  }
+  geometry.tailHelix = helixOf(element);
+  geometry.headHelix = turnsAlike(geometry.kind) ? geometry.tailHelix : -geometry.tailHelix;
+  if (!element.module) return std::nullopt;
+  constexpr double kMostShift = 2;  // modules, of both wheels
+  const double distance =
+      pairKind(geometry.kind).distance(std::abs(geometry.tailRadius), std::abs(geometry.headRadius));
+  const double share =
+      distanceTeeth(geometry.kind, element.tailTeeth, element.headTeeth) / (2 * std::cos(geometry.tailHelix));
+  const double module = element.module->value();
+  if (std::abs(distance - share * module) <= kMostShift * module) return std::nullopt;
+  return moduleAgainstDistance(mechanism, mesh, distance, share * module, distance / share);
+}
+
 /// The unit vector or its opposite: the one whose first component that is not 0 is positive.
 Vector3 oriented(const Vector3& direction) {
   for (const double component : direction) {
@@ -228,8 +268,10 @@ bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<
     return reject(equalInternalTeeth(mechanism, mesh));
   const double a = tailLength * pair.headTeeth;
   const double b = headLength * pair.tailTeeth;
-  if (std::abs(a - b) <= kGeometryFits * std::max(a, b)) return true;
-  return reject(wrongTeeth(mechanism, mesh, pair, position, geometry));
+  if (std::abs(a - b) > kGeometryFits * std::max(a, b))
+    return reject(wrongTeeth(mechanism, mesh, pair, position, geometry));
+  if (auto wrong = checkHelix(mechanism, mesh, position, geometry)) return reject(*std::move(wrong));
+  return true;
 }
 
 }  // namespace geargraph::inline placement

@@ -37,6 +37,10 @@ struct MeshGeometry {
   Vector3 normal{};
   double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
+  /// Helix angles at the reference cylinders, rad, positive for right-hand helices; 0: straight teeth. No
+  /// radius, sign or coefficient of parallel axes depends on them.
+  double tailHelix = 0;
+  double headHelix = 0;
 };
 
 [[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);

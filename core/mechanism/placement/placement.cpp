@@ -142,7 +142,8 @@ class MeshLocator {
     if (position == LinePosition::intersecting) {
       geometry.sides = place.sides = m_sides.choose(mesh, word, pair);
       if (!m_bevelSizes.empty()) geometry.bevelSize = m_bevelSizes[mesh];
-      place.module = m_module * geometry.bevelSize / kUsualBevelSize;
+      const std::optional<Number>& stated = m_mechanism.gearMeshes[mesh].module;
+      place.module = stated ? stated->value() : m_module * geometry.bevelSize / kUsualBevelSize;
     } else {
       const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
       place.level = inner ? pair.tailPoint : pair.headPoint;
@@ -224,9 +225,10 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
   const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
                                 head.direction, element.tailTeeth, element.headTeeth};
   const bool inner = tailIsInner(placement, geometry.tailClass, geometry.headClass);
+  const Rational module = element.module ? element.module->exact()
+                                         : Rational(geometry.bevelSize, kUsualBevelSize) * placement.module;
   return pairRule(geometry.kind)
-      .exactPitchPoint(pair, {inner ? pair.tailPoint : pair.headPoint, geometry.sides,
-                              Rational(geometry.bevelSize, kUsualBevelSize) * placement.module});
+      .exactPitchPoint(pair, {inner ? pair.tailPoint : pair.headPoint, geometry.sides, module});
 }
 
 }  // namespace geargraph::inline placement

@@ -47,6 +47,11 @@ void writeGear(JsonWriter& out, const AssemblyGear& gear, const std::string& fil
   } else {
     out.member("width", gear.width);
   }
+  if (gear.helixAngle != 0) {
+    out.member("beta_deg", gear.helixAngle * kDegrees);
+    out.key("herringbone");
+    out.json(gear.herringbone ? "true" : "false");
+  }
   out.member("bore", gear.bore);
   out.member("thinning", gear.backlashAllowance);
   writeOptional(out, "ha", gear.addendum);

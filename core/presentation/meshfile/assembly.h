@@ -20,9 +20,11 @@ struct AssemblyGear {
   double module = 0;  ///< at the reference circle
   double pressureAngle = 0;
   double profileShift = 0;
-  double width = 0;                ///< face width; bevel: along the cone
-  double bore = 0;                 ///< diameter, 0: none
-  double coneAngle = 0;            ///< bevel: between axis and pitch cone
+  double width = 0;          ///< face width; bevel: along the cone
+  double bore = 0;           ///< diameter, 0: none
+  double coneAngle = 0;      ///< bevel: between axis and pitch cone
+  double helixAngle = 0;     ///< at the reference circle, positive right-hand; the measures are transverse
+  bool herringbone = false;  ///< `helixAngle` is that of the half below mid face
   double backlashAllowance = 0;    ///< on the reference circle: reduction of the tooth thickness
   std::optional<double> addendum;  ///< this and the following, if different from the standard rack
   std::optional<double> dedendum;

@@ -47,6 +47,8 @@ AssemblyGear assemblyGear(const TrainGear& source, const GearSpec& spec, std::sh
   gear.width = spec.faceWidth;
   gear.bore = spec.bore;
   gear.coneAngle = spec.coneAngle;
+  gear.helixAngle = spec.helixAngle;
+  gear.herringbone = spec.herringbone;
   gear.backlashAllowance = spec.backlashAllowance * spec.module;
   gear.addendum = spec.addendum;
   gear.dedendum = spec.dedendum;

@@ -47,6 +47,7 @@ class SectionBuilder {
   // --- what is drawn ---
   void addShaft(const SheetShaft& shaft);
   void addWheel(std::size_t w);
+  void addHelix(const SheetWheel& wheel, double side);
   void addFrame(const SheetWheel& wheel);
   void addRingCarrier(const RingCarrierSymbol& ringCarrier);
   void addWall(const SheetWall& wall);
@@ -141,11 +142,33 @@ void SectionBuilder::addWheel(std::size_t w) {
     if (own || wheelSymbol(wheel.kind).frame != FrameSymbol::behind) {
       line(wheel.link, on.at(wheel.at, side * foot), on.at(wheel.at, side * wheel.radius), kLinkWidth);
     }
+    if (wheel.hand != 0) addHelix(wheel, side);
   }
   anchor(m_section.links[wheel.link], on.at(wheel.at, (wheel.radius + lane) / 2));
   anchor(m_section.links[wheel.link], on.at(wheel.barTo.x, wheel.barTo.y));
   m_hold = 0;
   if (!own) addFrame(wheel);
+}
+
+/// The direction of helical teeth as seen from the front: three oblique strokes beside the pitch line, on the
+/// side of the wheel's body; of herringbone teeth two and two that make chevrons.
+void SectionBuilder::addHelix(const SheetWheel& wheel, double side) {
+  constexpr double kLength = 6, kPace = 5, kAway = 5;
+  constexpr double kAlong = 0.82, kAcross = 0.57;  // of an angle that is seen, whatever the true one
+  const SheetAxis& on = axis(wheel.axis);
+  const SheetPoint across{on.along.y, -on.along.x};  // to the left of the axis's direction
+  const double height = side * (wheel.radius + (wheel.isRing() ? kAway : -kAway));
+  const double middle = (wheel.barFrom.x + wheel.barTo.x) / 2;
+  const int strokes = wheel.herringbone ? 4 : 3;
+  for (int i = 0; i < strokes; ++i) {
+    const double place = i - (strokes - 1) / 2.0;
+    const int hand = wheel.herringbone && place > 0 ? -wheel.hand : wheel.hand;
+    const SheetPoint trace = kAlong * on.along - (hand * kAcross) * across;
+    const SheetPoint at = on.at(middle + kPace * place, height);
+    put(idOf(wheel.link), MarkRole::line, kSymbolDepth,
+        Stroke{Polyline{{at - (kLength / 2) * trace, at + (kLength / 2) * trace}, false}, tintOf(wheel.link),
+               1.1, Dash::solid});
+  }
 }
 
 /// A wheel of the ground is cut in the frame: a ring at its rim, a bevel behind its teeth. Others stand on

@@ -61,6 +61,8 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const
     drawn.axis = wheel.axisClass;
     drawn.kind = wheel.spec.kind;
     drawn.meshes = wheel.meshes;
+    drawn.hand = wheel.spec.helixAngle == 0 ? 0 : signOf(handOf(wheel.spec.helixAngle));
+    drawn.herringbone = wheel.spec.herringbone;
     layout.wheels.push_back(std::move(drawn));
   }
   for (const TrainPair& pair : train.pairs) layout.pairs.push_back({pair.mesh, pair.tail, pair.head, false});

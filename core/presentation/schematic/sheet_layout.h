@@ -50,6 +50,8 @@ struct SheetWheel {
   SheetPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
   SheetPoint barTo;
   SheetPoint outward;  ///< unit (coordinate, height): from the pitch line into the partner
+  int hand = 0;        ///< of helical teeth: +1 right, -1 left; of herringbone teeth that of the end `low`
+  bool herringbone = false;
   [[nodiscard]] bool isRing() const { return wheelKind(kind).isRing; }
 };
 

@@ -200,8 +200,8 @@ Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components) {
 
 std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicModel& model,
                                     const Placement& placement, std::span<const double> values,
-                                    std::span<const char> determined,
-                                    std::span<const double> pressureAngles) {
+                                    std::span<const char> determined, std::span<const double> pressureAngles,
+                                    std::span<const double> helixAngles) {
   std::vector<ToothForce> forces;
   const auto metres = metresPerUnit(mechanism);
   if (!metres) return forces;
@@ -214,6 +214,13 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
     const bool headIsSmaller = std::abs(geometry.headRadius) < std::abs(geometry.tailRadius);
     force.direction = (headIsSmaller ? 1.0 : -1.0) * towardsSmaller(placement, geometry);
     force.force = force.tangential * geometry.normal + force.separating * force.direction;
+    if (!helixAngles.empty() && helixAngles[at] != 0) {
+      const double along = -force.tangential * (geometry.tailRadius < 0 ? -1 : 1) * std::tan(helixAngles[at]);
+      const Vector3& axis = placement.lineOfClass(geometry.tailClass).direction;
+      force.axial = std::abs(along);
+      force.axialDirection = (along < 0 ? -1.0 : 1.0) * axis;
+      force.force = force.force + along * axis;
+    }
     force.isDetermined = determined[at] != 0;
   }
   return forces;
@@ -222,11 +229,12 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
 StaticsForces forcesOf(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
                        const StaticsProblem& problem, std::span<const HeldPart> held,
                        std::span<const double> values, std::span<const char> determined,
-                       std::span<const MeshLoss> losses, std::span<const double> pressureAngles) {
+                       std::span<const MeshLoss> losses, std::span<const double> pressureAngles,
+                       std::span<const double> helixAngles) {
   StaticsForces result;
   const auto metres = metresPerUnit(mechanism);
   if (!metres) return result;
-  result.meshes = toothForces(mechanism, model, placement, values, determined, pressureAngles);
+  result.meshes = toothForces(mechanism, model, placement, values, determined, pressureAngles, helixAngles);
   ForceSum sum(mechanism, model, placement, metres->toDouble(), held, values, determined);
   sum.addMeshes(result.meshes, losses);
   sum.addLoads(problem);

@@ -15,13 +15,16 @@ struct ToothForce {
   double tangential = 0;  ///< F_c along e_c, N: MeshGeometry::normal
   Vector3 direction{};    ///< s_c: the unit vector of the separating force on the head, see below
   double separating = 0;  ///< |F_c| tan(alpha_w), N
-  Vector3 force{};        ///< their sum, N, base frame
+  /// Of helical teeth: |F_c| tan(beta_w), N, and its direction on the head's gear, along the axes.
+  double axial = 0;
+  Vector3 axialDirection{};
+  Vector3 force{};  ///< their sum, N, base frame
   bool isDetermined = true;
 };
 
 /// The tooth forces, by mesh:
 ///
-///     F_c e_c + |F_c| tan(alpha_w) s_c,      F_c = mu_c N_tail / (e_c . r_A)
+///     F_c e_c + |F_c| tan(alpha_w) s_c + |F_c| tan(beta_w) a_c,      F_c = mu_c N_tail / (e_c . r_A)
 ///
 /// r_A the moment arm of the tail's axis at the pitch point, in metres. s_c is in the plane of the axes,
 /// perpendicular to the pitch line (parallel axes: radial; bevel: perpendicular to the line from the apex).
@@ -29,12 +32,17 @@ struct ToothForce {
 /// external, internal and bevel pairs alike. For a bevel the radial part F tan a cos d and the axial part
 /// F tan a sin d follow.
 ///
-/// `pressureAngles` by mesh: alpha_w at which the pair works, rad. Empty where the unit of length is not
-/// known. Doubles, because tan is irrational.
+/// a_c is along the axes, such that the force stands across helical teeth: a right-hand gear that drives is
+/// pushed the way of its angular velocity. It does no work.
+///
+/// `pressureAngles`, `helixAngles` by mesh: alpha_w, and beta_w of the tail's gear (MeshContact), at which
+/// the pair works, rad; no helix angles: all teeth are straight. Empty where the unit of length is not known.
+/// Doubles, because tan is irrational.
 [[nodiscard]] std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicModel& model,
                                                   const Placement& placement, std::span<const double> values,
                                                   std::span<const char> determined,
-                                                  std::span<const double> pressureAngles);
+                                                  std::span<const double> pressureAngles,
+                                                  std::span<const double> helixAngles = {});
 
 /// The reaction in a turning joint, of the tail on the head, at the point where the joint is drawn: W_e of
 ///
@@ -62,7 +70,8 @@ struct StaticsForces {
                                      const Placement& placement, const StaticsProblem& problem,
                                      std::span<const HeldPart> held, std::span<const double> values,
                                      std::span<const char> determined, std::span<const MeshLoss> losses,
-                                     std::span<const double> pressureAngles);
+                                     std::span<const double> pressureAngles,
+                                     std::span<const double> helixAngles = {});
 
 /// The vector of least length that has these components along the directions (of length 1), by Gram-Schmidt
 /// orthogonalisation; a direction that depends linearly on those before it is ignored.

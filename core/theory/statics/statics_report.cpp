@@ -304,11 +304,14 @@ class Analysis {
   void takeForces() {
     if (!metresPerUnit(m_mechanism)) return;
     std::vector<double> angles;
-    for (const std::optional<MeshContact>& contact : contacts())
+    std::vector<double> helices;
+    for (const std::optional<MeshContact>& contact : contacts()) {
       angles.push_back(contact ? contact->pressureAngle : 0);
-    m_report.forces =
-        forcesOf(m_mechanism, m_model, m_placement, m_report.problem, m_report.held,
-                 numbersOf(m_report.solution()), m_report.solution().determined, m_report.losses(), angles);
+      helices.push_back(contact ? contact->helix : 0);
+    }
+    m_report.forces = forcesOf(m_mechanism, m_model, m_placement, m_report.problem, m_report.held,
+                               numbersOf(m_report.solution()), m_report.solution().determined,
+                               m_report.losses(), angles, helices);
   }
 
   bool solveTransposed() {

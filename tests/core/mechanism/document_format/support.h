@@ -41,7 +41,7 @@ inline std::string with(std::string text, const std::string& from, const std::st
 
 /// A small document that has every member of the format: a planetary stage with a brake and a clutch.
 inline const std::string kEverything = R"({
-  "format": "geargraph", "version": 1, "name": "stage", "notes": "free\ntext", "unit": "in",
+  "format": "geargraph", "version": 2, "name": "stage", "notes": "free\ntext", "unit": "in",
   "links": [{"id": 0, "name": "ground"}, {"id": "sun"}, {"id": "arm", "pinned": true, "shapes": [
     {"file": "parts/arm.stl", "position": [0, 0, "1/2"], "orientation": [90, 0, 0.0], "scale": 0.25}]},
     {"id": "planet", "mass": 0.80, "centerOfMass": [0, "1/3", 2.50], "inertia": [1e-3, "1/500", 0.0015, 0, -1e-5, 0]}],
@@ -52,7 +52,8 @@ inline const std::string kEverything = R"({
     {"id": 6, "tail": "arm", "head": "planet", "axis": "p"}],
   "gearMeshes": [
     {"id": 7, "tail": "sun", "head": "planet", "tailTeeth": 20, "headTeeth": 31, "kind": "external",
-     "pitchPoint": [1, 2, 3], "faceWidth": "3/8", "tailWheel": "w", "pinned": true, "efficiency": "49/50"}],
+     "pitchPoint": [1, 2, 3], "faceWidth": "3/8", "tailWheel": "w", "pinned": true, "efficiency": "49/50",
+     "helixAngle": 22.250, "hand": "left", "herringbone": true, "module": "7/3", "pressureAngle": 17.5}],
   "wheels": [{"id": "w", "link": "sun", "profileShift": 0.1, "bore": 8, "backlash": 0.04}],
   "gearDefaults": {"pressureAngle": 20, "backlash": 0.05, "faceWidth": 10, "friction": 0.06},
   "inputs": [{"joint": 4, "speed": "1/3"}],

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "core/mechanism/document_format/file_version.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/core/mechanism/document_format/support.h"
 #include "tests/core/support/example_files.h"
@@ -12,6 +13,7 @@ class TestMechanismRoundTrip : public QObject {
 
  private slots:
   void everyMemberIsRead();
+  void theVersionIsTheOldestThatIsNeeded();
   void writingAndReading_isTheIdentity();
   void numbersKeepTheirSpelling_data();
   void numbersKeepTheirSpelling();
@@ -70,6 +72,8 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QCOMPARE(shape.file, std::string("parts/arm.stl"));
   QVERIFY(shape.position->at(2).exact() == Rational(1, 2) && shape.orientation->at(0).value() == 90);
   QVERIFY(mesh.efficiency->exact() == Rational(49, 50) && !mesh.friction);
+  QVERIFY(mesh.helixAngle->text() == "22.250" && mesh.hand == Hand::left && mesh.herringbone);
+  QVERIFY(mesh.module->exact() == Rational(7, 3) && mesh.pressureAngle->exact() == Rational(35, 2));
   QVERIFY(m.gearDefaults->friction->exact() == Rational(3, 50) && !m.gearDefaults->efficiency);
   QCOMPARE(m.loads.size(), std::size_t{4});
   QVERIFY(m.loads[0].id == LoadId("pull") && m.loads[1].id.empty());
@@ -99,6 +103,33 @@ void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {
   QVERIFY(readText(written) == mechanism);
   QCOMPARE(writeMechanism(readText(written)), written);
   QVERIFY(readText(writeMechanism(emptyMechanism())) == emptyMechanism());
+}
+
+/// Without what came with version 2 the document is one of version 1, whatever the file said.
+void TestMechanismRoundTrip::theVersionIsTheOldestThatIsNeeded() {
+  Mechanism mechanism = readText(kEverything);
+  QCOMPARE(fileVersionOf(mechanism), 2);
+  GearMesh& mesh = mechanism.gearMeshes.front();
+  const GearMesh full = mesh;
+  mesh.helixAngle = mesh.module = mesh.pressureAngle = std::nullopt;
+  mesh.hand = std::nullopt;
+  mesh.herringbone = false;
+  QCOMPARE(fileVersionOf(mechanism), 1);
+  const std::string written = writeMechanism(mechanism);
+  QVERIFY2(written.find("\"version\": 1,") != std::string::npos, written.c_str());
+  QVERIFY(readText(written) == mechanism);
+  const GearMesh old = mesh;
+  const auto with = [&](auto member) {
+    mesh = old;
+    mesh.*member = full.*member;
+    return fileVersionOf(mechanism);
+  };
+  QCOMPARE(with(&GearMesh::helixAngle), 2);
+  QCOMPARE(with(&GearMesh::hand), 2);
+  QCOMPARE(with(&GearMesh::herringbone), 2);
+  QCOMPARE(with(&GearMesh::module), 2);
+  QCOMPARE(with(&GearMesh::pressureAngle), 2);
+  QCOMPARE(with(&GearMesh::efficiency), 1);
 }
 
 void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {

@@ -24,7 +24,7 @@ class TestUnknownMembers : public QObject {
     row("limit", "limits");
     row("kinds", "kind");
     row("tailTeth", "tailTeeth");
-    row("helixAngle", "");
+    row("toothTrace", "");
     row("finish", "");
     row("x", "");
     row("", "");
@@ -60,7 +60,7 @@ class TestUnknownMembers : public QObject {
     row(R"("turningJoints")", R"("joints")", "schema /turningJoints");
     row(R"("efficiency": "49/50")", R"("efficiency": "49/50", "efficency": 1)",
         "schema /gearMeshes/0/efficency [gearMeshes:7]");
-    row(R"("limits": [-170.0)", R"("helixAngle": [-170.0)", "");
+    row(R"("limits": [-170.0)", R"("toothTrace": [-170.0)", "");
   }
   void misspelledMembersAreRejected() {
     QFETCH(QString, from);
@@ -80,7 +80,7 @@ class TestUnknownMembers : public QObject {
 
   void otherMembersAreReportedOnceForEachName() {
     std::string text =
-        with(kEverything, R"("tailTeeth": 20,)", R"("tailTeeth": 20, "helixAngle": 15, "bore": 8,)");
+        with(kEverything, R"("tailTeeth": 20,)", R"("tailTeeth": 20, "toothTrace": 15, "bore": 8,)");
     text = with(text, R"("offset": -1.50)", R"("offset": -1.50, "ofset": 3, "finish": "fine")");
     text = with(text, R"("limits": [-170.0, null])", R"("limits": [-170.0, null], "finish": "coarse")");
     text = with(text, R"("link": "arm"})", R"("link": "arm", "links": ["arm", "sun"]})");
@@ -101,7 +101,7 @@ class TestUnknownMembers : public QObject {
              std::string("The member \"ofset\" in turningJoints is not known here: it is kept and "
                          "changes nothing. Is \"offset\" meant?"));
     QCOMPARE(message(5),
-             std::string("The member \"helixAngle\" in gearMeshes is not known here: it is kept and "
+             std::string("The member \"toothTrace\" in gearMeshes is not known here: it is kept and "
                          "changes nothing."));
     QCOMPARE(message(6),
              std::string("The member \"links\" in couplings has no meaning beside the others of its "

@@ -138,6 +138,88 @@ class TestStaticsForces : public QObject {
     QVERIFY(-force.force[0] * mesh.pitchPoint[0] > 0);
   }
 
+  /// A helical pair: tangential F, axial F tan b, separating F tan a_n / cos b, across the teeth; the driver
+  /// of a right-hand gear is pushed the way it turns. Herringbone teeth have the same separating force and no
+  /// axial one, and no axial force does work.
+  void helicalTeethPushAlongTheirAxes() {
+    const double b = 25 * kDegree;
+    const double distance = 60 / std::cos(b);
+    for (const MeshKind kind : {MeshKind::external, MeshKind::internal}) {
+      for (const int hand : {1, -1}) {
+        for (const int way : {1, -1}) {
+          Mechanism mechanism = TrainSketch(2)
+                                    .axis("a", {"0", "0", "0"})
+                                    .axis("b", {Number::fromDouble(distance).text(), "0", "0"})
+                                    .joint(0, 1, "a")
+                                    .joint(0, 2, "b")
+                                    .mesh(1, 2, 20, kind == MeshKind::internal ? 80 : 40, kind)
+                                    .build();
+          GearMesh& drawn = mechanism.gearMeshes.front();
+          drawn.helixAngle = Number(25);
+          drawn.hand = hand > 0 ? Hand::right : Hand::left;
+          drawn.module = Number(2);
+          const auto solved = [&] {
+            const StaticsCase train(mechanism);
+            const auto contact = meshContacts(mechanism, train.placement).at(0).value();
+            const MeshGeometry& mesh = *train.placement.meshes[0];
+            StaticsProblem problem = StaticsCase::balancedIn({1});
+            problem.torques = {{StaticsCase::at(0), Rational(way)}};
+            const StaticsSolution solution = train.solve(problem);
+            const StaticsForces result = forcesOf(
+                train.mechanism, train.model, train.placement, problem, solution.held, numbers(solution),
+                solution.determined, {}, std::vector{contact.pressureAngle}, std::vector{contact.helix});
+            return std::pair(result, mesh);
+          };
+          const auto [result, mesh] = solved();
+          const ToothForce& force = result.meshes[0];
+          const double tangential = 1 / (std::abs(mesh.tailRadius) / 1000);
+          QVERIFY(std::abs(std::abs(force.tangential) - tangential) < 1e-9);
+          QVERIFY(std::abs(force.axial - tangential * std::tan(b)) < 1e-9);
+          QVERIFY(std::abs(force.separating - tangential * std::tan(20 * kDegree) / std::cos(b)) < 1e-9);
+          // By the load the tail's gear drives with this torque about +z; it is pushed that way if
+          // right-hand.
+          QVERIFY(std::abs(-force.force[2] - way * hand * force.axial) < 1e-9);
+          // Along the tooth's trace no force is transmitted.
+          const Vector3 axis{0, 0, 1};
+          const Vector3 across = unit(cross(axis, mesh.tailToPitch));
+          const Vector3 trace = std::cos(b) * axis + hand * std::sin(b) * across;
+          QVERIFY(std::abs(dot(force.force, trace)) < 1e-9 * tangential);
+          // The bearings bear it, with opposite signs on the two shafts.
+          QVERIFY(std::abs(result.bearings[0].force[2] + result.bearings[1].force[2]) < 1e-9);
+          QVERIFY(std::abs(std::abs(result.bearings[0].force[2]) - force.axial) < 1e-9);
+          drawn.herringbone = true;
+          const ToothForce both = solved().first.meshes[0];
+          QVERIFY(both.axial == 0 && both.force[2] == 0);
+          QVERIFY(std::abs(both.separating - force.separating) < 1e-12 * force.separating);
+        }
+      }
+    }
+  }
+
+  /// At a wider distance the teeth work on other cylinders: the force still stands across the same flanks,
+  /// whose helix at the base cylinder is all that they have of their own.
+  void shiftedHelicalTeethPushAcrossTheirFlanks() {
+    Mechanism mechanism = TrainSketch(2)
+                              .axis("a", {"0", "0", "0"})
+                              .axis("b", {"116.5", "0", "0"})
+                              .joint(0, 1, "a")
+                              .joint(0, 2, "b")
+                              .mesh(1, 2, 31, 30, MeshKind::external)
+                              .build();
+    mechanism.gearMeshes.front().helixAngle = Number(21);
+    mechanism.gearMeshes.front().module = *Number::fromText("3.5");
+    const MeshContact contact = meshContacts(mechanism, placementOf(mechanism)).at(0).value();
+    QVERIFY(std::abs(contact.pressureAngle / kDegree - 23.8707609654) < 1e-9);
+    const double transverse = std::atan(std::tan(20 * kDegree) / std::cos(21 * kDegree));
+    const double base = std::atan(std::tan(21 * kDegree) * std::cos(transverse));
+    QVERIFY(std::abs(contact.baseHelix - base) < 1e-12);
+    QVERIFY(std::abs(std::tan(contact.helix) * std::cos(contact.pressureAngle) - std::tan(base)) < 1e-12);
+    // Losses grow with the normal force: over the cosine of the base helix.
+    MeshContact straight = contact;
+    straight.baseHelix = 0;
+    QVERIFY(std::abs(toothLossFactor(contact) * std::cos(base) - toothLossFactor(straight)) < 1e-12);
+  }
+
   /// In line with its neighbours an idler's shaft bears 2 F_t across, and nothing along the line.
   void anIdlerInLine() {
     const StaticsCase train(TrainSketch(3)
