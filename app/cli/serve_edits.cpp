@@ -126,11 +126,11 @@ std::string_view valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return kTeeth;
     case MemberValue::meshKind:
-      return "external, internal or bevel";
+      return "external, internal, bevel, belt or pins";
     case MemberValue::hand:
       return "right or left";
     case MemberValue::couplingKind:
-      return "brake or clutch";
+      return "brake, clutch or freewheel";
     case MemberValue::sharing:
       return "none or stiffness";
     case MemberValue::number:
@@ -288,7 +288,9 @@ Expected<Mechanism> addCoupling(Mechanism m, EditMembers& of) {
   const std::vector<LinkId>& links = coupling->links;
   if (coupling->kind == CouplingKind::brake)
     return withBrake(std::move(m), links.front(), coupling->id.text());
-  if (links.size() != 2) return Diagnostic{Code::schema, "A clutch names two links.", {}, {}};
+  if (links.size() != 2) return Diagnostic{Code::schema, "A clutch or freewheel names two links.", {}, {}};
+  if (coupling->kind == CouplingKind::freewheel)
+    return withFreewheel(std::move(m), links[0], links[1], coupling->id.text());
   return withClutch(std::move(m), links[0], links[1], coupling->id.text());
 }
 

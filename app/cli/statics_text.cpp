@@ -115,9 +115,7 @@ class StaticsText {
   [[nodiscard]] std::string nameOf(const HeldPart& part) const {
     if (part.coupling >= 0) {
       const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
-      const std::string name = coupling.kind == CouplingKind::brake
-                                   ? translated("brake %1", {coupling.id.text()})
-                                   : translated("clutch %1", {coupling.id.text()});
+      const std::string name = couplingName(coupling.kind, coupling.id.text());
       return part.isMain ? name : about(name, part.axis);
     }
     const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(part.balance)];

@@ -105,13 +105,15 @@ std::string typeOf(DocumentPart part, const MemberInfo& info) {
     case MemberValue::teeth:
       return reference("teeth");
     case MemberValue::meshKind:
-      return choice(std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel}, meshKindName);
+      return choice(
+          std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt, MeshKind::pins},
+          meshKindName);
     case MemberValue::hand:
       return choice(std::array{Hand::right, Hand::left}, handName);
     case MemberValue::sharing:
       return choice(std::array{LoadSharing::none, LoadSharing::stiffness}, loadSharingName);
     case MemberValue::couplingKind:
-      return R"("enum": ["brake", "clutch"])";
+      return R"("enum": ["brake", "clutch", "freewheel"])";
     case MemberValue::number:
       return numberType(info);
     case MemberValue::triple:
@@ -193,7 +195,7 @@ std::vector<Form> formsOf(DocumentPart part) {
   switch (part) {
     case DocumentPart::coupling:
       return {{{"link"}, {}, {}, R"("kind": {"const": "brake"})"},
-              {{"links"}, {}, {}, R"("kind": {"const": "clutch"})"}};
+              {{"links"}, {}, {}, R"("kind": {"enum": ["clutch", "freewheel"]})"}};
     case DocumentPart::load:
       return {{{"joint", "torque"}, {"link"}},
               {{"link", "torque"}, {"joint", "force"}, {"axis"}},
@@ -227,6 +229,13 @@ std::string rulesOf(DocumentPart part) {
         {"not": {"anyOf": [{"required": ["centerOfMass"]}, {"required": ["inertia"]}]}}
       ])";
     case DocumentPart::gearMesh:
+      return R"(,
+      "not": {"required": ["efficiency", "friction"]},
+      "anyOf": [
+        {"required": ["tailTeeth", "headTeeth"]},
+        {"required": ["tailDiameter", "headDiameter"]},
+        {"required": ["kind"], "properties": {"kind": {"const": "pins"}}}
+      ])";
     case DocumentPart::gearDefaults:
       return R"(,
       "not": {"required": ["efficiency", "friction"]})";
@@ -250,7 +259,8 @@ std::string objectText(DocumentPart part, const std::string& indent) {
   std::vector<std::string_view> needed;
   std::string properties;
   for (const MemberInfo& info : membersOf(part)) {
-    if (info.isNeeded) needed.push_back(info.name);
+    // Pins and belts with running diameters leave their teeth out: rulesOf().
+    if (info.isNeeded && info.value != MemberValue::teeth) needed.push_back(info.name);
     if (!isInForms(info.name))
       properties += (properties.empty() ? "" : ",\n") + indent + "  " + property(part, info);
   }

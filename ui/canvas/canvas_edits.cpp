@@ -98,8 +98,8 @@ QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements
       return tr("axis %1").arg(label);
     case ElementKind::coupling: {
       const Coupling* coupling = mechanism.find(CouplingId(element.id));
-      const bool brake = coupling != nullptr && coupling->kind == CouplingKind::brake;
-      return brake ? tr("brake %1").arg(label) : tr("clutch %1").arg(label);
+      return QString::fromStdString(
+          couplingName(coupling == nullptr ? CouplingKind::clutch : coupling->kind, label.toStdString()));
     }
     case ElementKind::note:
       return tr("note");

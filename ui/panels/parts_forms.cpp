@@ -41,11 +41,16 @@ bool CouplingForm::isEngagedNow() const {
 void CouplingForm::refresh() {
   const Coupling& coupling = *mechanism().find(CouplingId(elements().front().id));
   const bool isBrake = coupling.kind == CouplingKind::brake;
-  setTitle((isBrake ? tr("Brake %1") : tr("Clutch %1")).arg(shownText(coupling.id.text())));
+  const bool isFreewheel = coupling.kind == CouplingKind::freewheel;
+  setTitle((isBrake       ? tr("Brake %1")
+            : isFreewheel ? tr("Freewheel %1")
+                          : tr("Clutch %1"))
+               .arg(shownText(coupling.id.text())));
   showParts(*m_links, linksOf(coupling, index()));
   m_engage->setText(isEngagedNow() ? tr("Release") : tr("Engage"));
-  m_engage->setToolTip(isBrake ? tr("While it is engaged the brake holds its link.")
-                               : tr("While it is engaged the clutch makes its links turn as one."));
+  m_engage->setToolTip(isBrake       ? tr("While it is engaged the brake holds its link.")
+                       : isFreewheel ? tr("It locks where its first link would turn faster than its second.")
+                                     : tr("While it is engaged the clutch makes its links turn as one."));
 }
 
 }  // namespace geargraph::inline panels

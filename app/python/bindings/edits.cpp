@@ -32,7 +32,8 @@ std::vector<Id> idsFrom(const std::vector<std::string>& names) {
 std::optional<MeshKind> writtenKind(const OptionalText& name) {
   if (!name) return std::nullopt;
   if (const std::optional<MeshKind> kind = geargraph::meshKindFrom(*name)) return kind;
-  throw py::value_error("The kind of a mesh is external, internal or bevel, not \"" + *name + "\".");
+  throw py::value_error("The kind of a mesh is external, internal, bevel, belt or pins, not \"" + *name +
+                        "\".");
 }
 
 /// The position of a state by its name; raises geargraph.Error (unknown-id) where there is none.
@@ -173,6 +174,11 @@ void addMotionEdits(py::class_<Document>& document) {
       .def("with_clutch",
            [](const Document& self, const std::string& one, const std::string& other, const std::string& id) {
              return edited(withClutch(self.mechanism(), LinkId(one), LinkId(other), id));
+           })
+      .def("with_freewheel",
+           [](const Document& self, const std::string& first, const std::string& second,
+              const std::string& id) {
+             return edited(withFreewheel(self.mechanism(), LinkId(first), LinkId(second), id));
            })
       .def("with_state",
            [](const Document& self, const OptionalText& name, const std::vector<std::string>& engaged,

@@ -351,6 +351,31 @@ class GearMesh(_Labelled):
         value = self._data.get("pressureAngle")
         return None if value is None else exact(value)
 
+    @property
+    def crossed(self) -> bool:
+        """Of a belt: its strands cross between the pulleys."""
+        value = self._data.get("crossed")
+        return False if value is None else bool(value)
+
+    @property
+    def pitch(self) -> Optional[Fraction]:
+        """Of a belt: the length of one of its teeth."""
+        value = self._data.get("pitch")
+        return None if value is None else exact(value)
+
+    @property
+    def tail_diameter(self) -> Optional[Fraction]:
+        """Of a belt, instead of ``tailTeeth``: the running diameter of the first pulley; then also
+        ``headDiameter``."""
+        value = self._data.get("tailDiameter")
+        return None if value is None else exact(value)
+
+    @property
+    def head_diameter(self) -> Optional[Fraction]:
+        """The same of the second pulley."""
+        value = self._data.get("headDiameter")
+        return None if value is None else exact(value)
+
     # End of members.
 
 

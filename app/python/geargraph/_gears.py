@@ -67,7 +67,7 @@ class Gear:
     meshes : tuple of int
         Labels of its meshes.
     kind : str
-        "external", "internal" (a ring) or "bevel".
+        "external", "internal" (a ring), "bevel" or "pulley" (of a belt).
     teeth : int
         Their number.
     module : float

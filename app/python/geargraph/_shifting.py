@@ -59,6 +59,33 @@ class ShiftEdits(LoadEdits):
         )
         return self._last(Coupling)
 
+    def add_freewheel(self, first: LinkLike, second: LinkLike, id: str = "") -> Coupling:
+        """Add a freewheel: the first link may not turn faster than the second.
+
+        Which of them lock in a state follows from its drive; a state names none.
+
+        Parameters
+        ----------
+        first, second : Link, str or int
+            The links, in +direction of the axis of the first one's own joint. One may be the ground.
+        id : str, optional
+            Its letter; without it the first that is free.
+
+        Returns
+        -------
+        Coupling
+            The freewheel, not locked.
+
+        Raises
+        ------
+        Error
+            "unknown-id", "duplicate-id", "self-joint".
+        """
+        self._document = self._document.with_freewheel(
+            self._id(Link, first), self._id(Link, second), id
+        )
+        return self._last(Coupling)
+
     def add_state(
         self,
         name: Optional[str] = None,

@@ -58,9 +58,7 @@ std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
       return translated("mesh %1", {label});
     case ElementKind::coupling: {
       const Coupling* coupling = mechanism.find(CouplingId(element.id));
-      const bool isBrake = coupling != nullptr && coupling->kind == CouplingKind::brake;
-      return isBrake ? translated("brake %1", {element.id.text()})
-                     : translated("clutch %1", {element.id.text()});
+      return couplingName(coupling == nullptr ? CouplingKind::clutch : coupling->kind, element.id.text());
     }
     default:
       return label;

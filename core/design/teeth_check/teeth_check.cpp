@@ -246,7 +246,7 @@ class TeethChecker {
     std::map<std::vector<int>, std::vector<int>> meshes;
     for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const MeshGeometry& geometry = *m_placement.meshes[mesh];
-      if (hasIntersectingAxes(geometry.kind)) continue;
+      if (!hasParallelAxes(geometry.kind)) continue;
       const int module = m_wish.hasOneModule ? 0 : train[static_cast<std::size_t>(wheelAt(2 * mesh))];
       meshes[{std::min<int>(geometry.tailClass, geometry.headClass),
               std::max<int>(geometry.tailClass, geometry.headClass), module}]

@@ -196,7 +196,7 @@ class ProblemMaker {
     std::map<std::array<int, 3>, Distance> distances;
     for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       const MeshGeometry& geometry = *m_placement.meshes[mesh];
-      if (hasIntersectingAxes(geometry.kind)) continue;
+      if (!hasParallelAxes(geometry.kind)) continue;
       const auto [low, high] = std::minmax({int{geometry.tailClass}, int{geometry.headClass}});
       const int train =
           hasOneModule ? 0 : trains.root(m_problem.wheelOfEnd[static_cast<std::size_t>(2 * mesh)]);

@@ -33,6 +33,7 @@ enum class Code {
   stateLocked,
   stateFree,
   stateIdle,
+  freewheelDirection,
   locked,
   deadJoint,
   idleJoint,
@@ -95,6 +96,7 @@ enum class Detail {
   teethAgainstRadii,  ///< the ratio of the teeth is not that of the pitch radii
   equalInternalTeeth,
   helixAgainstTeeth,  ///< the helix angle does not fit the pair, or another pair of the same wheel
+  beltGeometry,       ///< no strand can run round the pulleys of a belt, or its ends say different things
   pinnedWheel,        ///< an edit that would have to change pinned gears or axes
   pinnedModule,
   pinnedAxis,

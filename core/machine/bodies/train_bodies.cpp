@@ -38,6 +38,7 @@ class BodyBuilder {
 
   void addCase(const CasePlan& made);
   void addFlange(const FlangePlan& made);
+  void addStrand(const TrainStrand& strand, LinkOrdinal carrier, bool isCrossed);
 
   /// By link.
   std::vector<BodyRecipe> build() {
@@ -304,6 +305,40 @@ void BodyBuilder::addFlange(const FlangePlan& made) {
   }
 }
 
+/// A belt: two arcs round its pulleys and two straight strands, which stay where they are in the carrier.
+/// Runs at the running radius in the middle of its thickness.
+void BodyBuilder::addStrand(const TrainStrand& strand, LinkOrdinal carrier, bool isCrossed) {
+  constexpr double kShareOfFace = 0.8;
+  const TrainGear& tail = m_train.gears[static_cast<std::size_t>(int{strand.tailGear})];
+  const TrainGear& head = m_train.gears[static_cast<std::size_t>(int{strand.headGear})];
+  const Vector3d along = tail.pose.linear().col(2);
+  const Vector3d from = tail.pose.translation();
+  Vector3d way = head.pose.translation() - from;
+  way -= way.dot(along) * along;
+  const double distance = way.norm();
+  const double tailRadius = pitchRadius(tail.spec), headRadius = pitchRadius(head.spec);
+  const double headSide = isCrossed ? -headRadius : headRadius;
+  const double cosine = (tailRadius - headSide) / distance;
+  if (!(std::abs(cosine) < 1)) return;
+  const double angle = std::acos(cosine);
+  const double half = kHalfBelt * tail.spec.module;
+  const double width = kShareOfFace * std::min(tail.spec.faceWidth, head.spec.faceWidth) / 2;
+  const AxisLayout& own = axis(tail.axisClass);
+  const auto arc = [&](const Vector3d& centre, const Vector3d& towards, double radius, double halfAngle) {
+    add(carrier, BarPart{radius + half, radius - half, -width, width, halfAngle}, own,
+        frameAlong(centre, along, towards));
+  };
+  arc(from, -way / distance, tailRadius, std::numbers::pi - angle);
+  arc(from + way, way / distance, headRadius, isCrossed ? std::numbers::pi - angle : angle);
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector2d outward(cosine, side * std::sin(angle));
+    const Eigen::Vector2d start = tailRadius * outward;
+    const Eigen::Vector2d end = Eigen::Vector2d(distance, 0) + headSide * outward;
+    add(carrier, PlatePart{{{start, half, 0}, {end, half, 0}}, -width, width}, own,
+        frameAlong(from, along, way / distance));
+  }
+}
+
 /// Housings, bars, and the base.
 void BodyBuilder::addFrame(const FramePlan& frame) {
   for (const HousingPlan& h : frame.housings)
@@ -399,6 +434,10 @@ Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, Ge
   BodyBuilder builder(built, train, mechanism.links.size());
   for (const CasePlan& made : cases) builder.addCase(made);
   for (const FlangePlan& made : flanges) builder.addFlange(made);
+  for (const TrainStrand& strand : train.strands) {
+    builder.addStrand(strand, placement.meshes[strand.mesh]->carrier,
+                      mechanism.gearMeshes[strand.mesh].crossed);
+  }
   std::vector<BodyRecipe> recipes = builder.build();
   for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
     if (!recipes[link].empty())

@@ -68,7 +68,27 @@ void checkDisc(const GearSpec& spec, Diagnostics& found) {
                                {std::to_string(spec.teeth)})));
 }
 
+Solid smoothDisc(const GearSpec& spec, double chord) {
+  const double surface = nominalTipRadius(spec), half = spec.faceWidth / 2;
+  std::vector<ProfileVertex> outline = bodyProfile(spec);
+  outline.push_back({surface, -half});
+  outline.push_back({surface, half});
+  return revolved(outline, chord);
+}
+
+void checkNothing(const GearSpec& /*spec*/, Diagnostics& /*found*/) {}
+
 }  // namespace
+
+constexpr WheelForm kPulleyForm{.body = discBody,
+                                .windows = discWindows,
+                                .outline = discOutline,
+                                .span = discSpan,
+                                .largestBore = largestDiscBore,
+                                .toothless = smoothDisc,
+                                .check = checkNothing,
+                                .checkBody = checkBore,
+                                .tooFewTeeth = tooFewForRack};
 
 constexpr WheelForm kDiscForm{.body = discBody,
                               .windows = discWindows,

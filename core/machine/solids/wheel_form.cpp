@@ -9,7 +9,7 @@
 namespace geargraph::inline solids {
 
 KindTable<GearKind, WheelForm>& wheelForms() {
-  static constinit KindTable<GearKind, WheelForm> table(&kDiscForm, &kRingForm, &kConeForm);
+  static constinit KindTable<GearKind, WheelForm> table(&kDiscForm, &kRingForm, &kConeForm, &kPulleyForm);
   return table;
 }
 

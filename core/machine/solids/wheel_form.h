@@ -41,6 +41,7 @@ struct WheelForm {
 extern const WheelForm kDiscForm;
 extern const WheelForm kRingForm;
 extern const WheelForm kConeForm;
+extern const WheelForm kPulleyForm;
 
 /// Faces of a tooth on a cylinder: straight, square to the axis.
 [[nodiscard]] std::vector<OutlinePoint> cylinderFaces(const HalfTooth& tooth, const GearSpec& spec);

@@ -6,7 +6,7 @@ namespace geargraph::inline teeth {
 
 /// The kinds of wheels. What differs between them is asked of the kind: of its WheelKind (wheel_kind.h), or
 /// of its facet in the table of a layer that adds something. Nothing else compares kinds.
-enum class GearKind { external, internal, bevel };
+enum class GearKind { external, internal, bevel, pulley };
 
 /// The style of the part below the teeth.
 enum class GearBody {

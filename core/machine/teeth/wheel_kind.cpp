@@ -72,10 +72,22 @@ constexpr WheelKind kBevelWheel{.name = "bevel",
                                 .tooth = bevelTooth,
                                 .contactRatio = bevelContactRatio};
 
+/// The surface of a pulley lies under its belt, half of whose thickness the running radius includes.
+double pulleySurface(const GearSpec& spec) {
+  return pitchRadius(spec) - kHalfBelt * spec.module;
+}
+
+constexpr WheelKind kPulleyWheel{.name = "pulley",
+                                 .fewestTeeth = 1,
+                                 .tipRadius = pulleySurface,
+                                 .rootRadius = pulleySurface,
+                                 .shareOfVirtual = sameAsVirtual};
+
 }  // namespace
 
 KindTable<GearKind, WheelKind>& wheelKinds() {
-  static constinit KindTable<GearKind, WheelKind> table(&kExternalWheel, &kRingWheel, &kBevelWheel);
+  static constinit KindTable<GearKind, WheelKind> table(&kExternalWheel, &kRingWheel, &kBevelWheel,
+                                                        &kPulleyWheel);
   return table;
 }
 

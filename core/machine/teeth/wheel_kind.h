@@ -8,7 +8,7 @@
 #include "core/machine/teeth/half_tooth.h"
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 3;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 4;
 
 namespace geargraph::inline teeth {
 
@@ -29,6 +29,9 @@ struct WheelKind {
   double (*contactRatio)(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
                          const HalfTooth& toothB, double distance) = nullptr;
 };
+
+/// Half of the thickness of a belt, in modules of its pulleys.
+constexpr double kHalfBelt = 0.25;
 
 [[nodiscard]] KindTable<GearKind, WheelKind>& wheelKinds();
 [[nodiscard]] const WheelKind& wheelKind(GearKind kind);

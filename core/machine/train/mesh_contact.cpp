@@ -99,6 +99,7 @@ std::vector<std::optional<MeshContact>> meshContacts(const Mechanism& mechanism,
   shapeWheels(mechanism, train, stop);
   if (stop.stop_requested()) return contacts;
   for (const TrainPair& pair : train.pairs) {
+    if (!touches(pair.kind)) continue;  // no teeth that press or slide on each other
     contacts[pair.mesh] = contactOf(pair, train.wheels[static_cast<std::size_t>(pair.tail)].spec,
                                     train.wheels[static_cast<std::size_t>(pair.head)].spec);
   }

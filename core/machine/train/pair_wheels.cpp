@@ -6,11 +6,14 @@ namespace {
 constexpr PairWheels kTwoDiscs{GearKind::external, GearKind::external};
 constexpr PairWheels kDiscInRing{GearKind::external, GearKind::internal};
 constexpr PairWheels kTwoCones{GearKind::bevel, GearKind::bevel};
+constexpr PairWheels kTwoPulleys{GearKind::pulley, GearKind::pulley};
+constexpr PairWheels kNoWheels{.smaller = GearKind::pulley, .larger = GearKind::pulley, .none = true};
 
 }  // namespace
 
 KindTable<MeshKind, PairWheels>& pairWheels() {
-  static constinit KindTable<MeshKind, PairWheels> table(&kTwoDiscs, &kDiscInRing, &kTwoCones);
+  static constinit KindTable<MeshKind, PairWheels> table(&kTwoDiscs, &kDiscInRing, &kTwoCones, &kTwoPulleys,
+                                                         &kNoWheels);
   return table;
 }
 

@@ -10,6 +10,7 @@ namespace geargraph::inline train {
 struct PairWheels {
   GearKind smaller;  ///< of the wheel with fewer teeth, and of both where they have as many
   GearKind larger;
+  bool none = false;  ///< it has no wheels of its own
 };
 
 [[nodiscard]] KindTable<MeshKind, PairWheels>& pairWheels();

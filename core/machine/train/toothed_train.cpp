@@ -32,7 +32,9 @@ PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>&
     wheels.push_back(phaseWheelOf(w.spec, w.origin, w.axis, frames.back().linear().col(0)));
   }
   std::vector<PhaseMesh> meshes;
-  for (const TrainPair& pair : train.pairs) meshes.push_back({pair.tail, pair.head, pair.pitchPoint});
+  for (const TrainPair& pair : train.pairs) {
+    if (touches(pair.kind)) meshes.push_back({pair.tail, pair.head, pair.pitchPoint});
+  }
   return solvePhases(wheels, meshes);
 }
 
@@ -77,9 +79,13 @@ GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
          frames[static_cast<std::size_t>(w)] *
              Eigen::AngleAxisd(phases.angles[static_cast<std::size_t>(w)], Eigen::Vector3d::UnitZ())});
   }
-  for (std::size_t p = 0; p < wheels.pairs.size(); ++p) {
-    const TrainPair& pair = wheels.pairs[p];
-    train.meshes.push_back({pair.mesh, pair.tail, pair.head, pair.pitchPoint, phases.residuals[p]});
+  for (const TrainPair& pair : wheels.pairs) {
+    if (!touches(pair.kind)) {
+      train.strands.push_back({pair.mesh, pair.tail, pair.head});
+      continue;
+    }
+    const double residual = phases.residuals[train.meshes.size()];
+    train.meshes.push_back({pair.mesh, pair.tail, pair.head, pair.pitchPoint, residual});
   }
   train.conflicts = wheels.conflicts;
   return train;

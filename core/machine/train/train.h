@@ -42,6 +42,13 @@ struct TrainMesh {
   double residual = 0;  ///< phase error in pitches; not 0 where a loop cannot be assembled
 };
 
+/// Two pulleys of the train with the strands between them.
+struct TrainStrand {
+  MeshOrdinal mesh = 0;  ///< of the document
+  GearOrdinal tailGear;
+  GearOrdinal headGear;
+};
+
 /// Shafts, arms, hubs and bearings of a link: solids in the base frame at the reference pose, which move with
 /// it.
 struct LinkBody {
@@ -64,6 +71,7 @@ struct GearTrain {
   ByGear<TrainGear> gears;
   std::vector<TrainMesh> meshes;
   std::vector<TeethConflict> conflicts;
+  std::vector<TrainStrand> strands;
   std::vector<LinkBody> bodies;
   /// Links whose bodies have no clearance from each other: two, or all of one axis.
   std::vector<std::vector<LinkOrdinal>> blocked;

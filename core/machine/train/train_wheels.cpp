@@ -39,7 +39,7 @@ class WheelFinder {
   TrainWheels find(const std::stop_token& stop) {
     for (int m = 0; m < m_mechanism.c() && !stop.stop_requested(); ++m) {
       const auto& geometry = m_placement.meshes[m];
-      if (geometry) addPair(m, *geometry);
+      if (geometry && !pairWheels()[geometry->kind].none) addPair(m, *geometry);
     }
     return std::move(m_train);
   }
@@ -47,6 +47,7 @@ class WheelFinder {
  private:
   void addPair(MeshOrdinal mesh, const MeshGeometry& geometry);
   [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, GearKind kind) const;
+  [[nodiscard]] TrainWheel pulley(const Side& side, const MeshGeometry& geometry, int partnerTeeth) const;
   void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
   void setHelices(const GearMesh& drawn, const MeshGeometry& geometry, TrainWheel& a, TrainWheel& b) const;
@@ -72,11 +73,16 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   pair.mesh = mesh;
   pair.kind = geometry.kind;
   pair.pitchPoint = wide(geometry.pitchPoint);
-  pair.movable = geometry.derived && hasParallelAxes(geometry.kind);
+  pair.movable = geometry.derived && !hasIntersectingAxes(geometry.kind);
   TrainWheel a;
   TrainWheel b;
   if (hasIntersectingAxes(geometry.kind)) {
     bevelWheels(tail, head, geometry, a, b);
+  } else if (!touches(geometry.kind)) {
+    pair.distance =
+        wide(geometry.tailToHead).cross(wide(m_placement.lineOfClass(tail.axisClass).direction)).norm();
+    a = pulley(tail, geometry, head.teeth);
+    b = pulley(head, geometry, tail.teeth);
   } else {
     pair.distance = pairKind(geometry.kind).distance(tail.radius, head.radius);
     a = parallelWheel(tail, geometry, wheelOf(geometry.kind, tail.teeth, head.teeth));
@@ -90,12 +96,13 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
     return known.empty() ? std::nullopt : std::optional(known.front());
   };
   WheelSharing::Choice known{first(tails), first(heads)};
-  if (pair.movable && !a.id && !b.id) known = m_sharing.choose(a, tails, b, heads);
+  const bool isGeared = touches(geometry.kind);
+  if (isGeared && pair.movable && !a.id && !b.id) known = m_sharing.choose(a, tails, b, heads);
   pair.tail = add(a, known.tail, mesh);
   pair.head = add(b, known.head, mesh);
   compare(pair.tail, a, mesh);
   compare(pair.head, b, mesh);
-  if (pair.movable) m_sharing.join(pair.tail, a, pair.head, b);
+  if (isGeared && pair.movable) m_sharing.join(pair.tail, a, pair.head, b);
   m_train.pairs.push_back(pair);
 }
 
@@ -109,6 +116,16 @@ TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geom
       wide(line.point) + (wide(geometry.pitchPoint) - wide(line.point)).dot(wheel.axis) * wheel.axis;
   wheel.workingRadius = side.radius;
   wheel.spec = standardGear(kind, side.teeth, 1, 1);
+  return wheel;
+}
+
+/// A pulley of the running radius. Its teeth are those stated, or so many that its other measures, which are
+/// in modules, look like those of a pulley; both pulleys of a pair have one module.
+TrainWheel WheelFinder::pulley(const Side& side, const MeshGeometry& geometry, int partnerTeeth) const {
+  constexpr int kFewest = 16;
+  const int times = (kFewest + std::min(side.teeth, partnerTeeth) - 1) / std::min(side.teeth, partnerTeeth);
+  TrainWheel wheel = parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partnerTeeth));
+  wheel.spec = standardGear(wheel.spec.kind, side.teeth * times, 2 * side.radius / (side.teeth * times), 1);
   return wheel;
 }
 

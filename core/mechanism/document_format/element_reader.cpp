@@ -1,7 +1,9 @@
 #include "core/mechanism/document_format/element_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/mechanism/model/fields.h"
 
@@ -14,7 +16,9 @@ std::optional<MeshKind> meshKindOf(JsonObject& from, std::string_view name) {
   for (const MeshKind kind : meshKinds()) {
     if (value->is(JsonKind::string) && value->equals(meshKindName(kind))) return kind;
   }
-  from.wrong(name, *value, toTranslate("\"external\", \"internal\" or \"bevel\""));
+  std::vector<std::string> names;
+  for (const MeshKind kind : meshKinds()) names.push_back('"' + std::string(meshKindName(kind)) + '"');
+  from.wrong(name, *value, listed(names, kAllNames, "or"));
   return std::nullopt;
 }
 
@@ -60,7 +64,20 @@ class FieldReader {
   }
   template <class Member>
   void read(const Member& field, int& teeth) const {
+    if (leavesTeethOut() && !m_from.member(field.info().name)) {
+      teeth = kMinTeeth;  // settleWeights() sets it
+      return;
+    }
     teeth = m_from.requiredWhole(field.info().name, kMinTeeth, kMaxTeeth);
+  }
+  /// Pins, and belts with running diameters.
+  [[nodiscard]] bool leavesTeethOut() const {
+    const auto kind = m_from.member("kind");
+    const bool isToothless =
+        kind && std::any_of(meshKinds().begin(), meshKinds().end(), [&](MeshKind each) {
+          return !pairKind(each).hasTeeth && kind->is(JsonKind::string) && kind->equals(meshKindName(each));
+        });
+    return isToothless || m_from.member("tailDiameter") || m_from.member("headDiameter");
   }
   template <class Member>
   void read(const Member& field, Number& number) const {
@@ -120,8 +137,8 @@ class FieldReader {
     if (is("brake")) {
       m_element.kind = CouplingKind::brake;
       links = {LinkId(m_from.requiredId(field.infos[kBrakeLink].name))};
-    } else if (is("clutch")) {
-      m_element.kind = CouplingKind::clutch;
+    } else if (is("clutch") || is("freewheel")) {
+      m_element.kind = is("clutch") ? CouplingKind::clutch : CouplingKind::freewheel;
       (void)m_from.required(listInfo.name, listInfo.expected);
       for (const Atom id : m_from.ids(listInfo.name).value_or(std::vector<Atom>{})) links.emplace_back(id);
     } else if (kind) {
@@ -263,6 +280,16 @@ void readValue(JsonObject& from, const MemberInfo& info, std::vector<CouplingId>
 template <class Element>
 void readMembers(JsonObject& from, Element& element) {
   forEachField<Element>(FieldReader<Element>(from, element));
+  if constexpr (std::is_same_v<Element, GearMesh>) {
+    // Teeth that contradict them stay, for wellFormedDiagnostics() to say so.
+    const bool statesSome = from.member("tailTeeth") || from.member("headTeeth");
+    const std::int64_t tail = element.tailTeeth, head = element.headTeeth;
+    settleWeights(element);
+    if (statesSome && tail * element.headTeeth != head * element.tailTeeth) {
+      element.tailTeeth = static_cast<int>(tail);
+      element.headTeeth = static_cast<int>(head);
+    }
+  }
 }
 
 template void readMembers(JsonObject& from, Link& link);

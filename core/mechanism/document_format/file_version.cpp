@@ -22,6 +22,10 @@ class VersionFinder {
       if (info.since > m_version && !(value == kDefault.*field.member)) m_version = info.since;
       inside(value);
     });
+    if constexpr (std::is_same_v<Object, Coupling>) {  // the kind is stated beside the links
+      constexpr int kFreewheels = 2;
+      if (object.kind == CouplingKind::freewheel) m_version = std::max(m_version, kFreewheels);
+    }
   }
 
   [[nodiscard]] int version() const { return m_version; }

@@ -101,7 +101,10 @@ class MechanismWriter {
     m_json.json("true");
   }
   template <class Member, class Object>
-  void member(const Member& field, const Object& /*object*/, int teeth) {
+  void member(const Member& field, const Object& object, int teeth) {
+    if constexpr (std::is_same_v<Object, GearMesh>) {
+      if (!statesTeeth(object)) return;
+    }
     m_json.member(field.info().name, teeth);
   }
   template <class Member, class Object>
@@ -157,7 +160,7 @@ class MechanismWriter {
   template <class Member>
   void member(const Member& field, const Coupling& coupling, const std::vector<LinkId>& links) {
     const bool isBrake = coupling.kind == CouplingKind::brake;
-    m_json.member(field.infos[kCouplingKind].name, std::string_view(isBrake ? "brake" : "clutch"));
+    m_json.member(field.infos[kCouplingKind].name, couplingKindName(coupling.kind));
     if (isBrake) {
       id(field.infos[kBrakeLink].name, links.front());
     } else {

@@ -183,10 +183,13 @@ class TableReader {
   bool readInto(std::string_view name, List& list, std::string_view element, TableRowReader& row) {
     using Element = typename ElementOfList<List>::Type;
     if constexpr (std::is_same_v<Element, Coupling>) {
-      if (element != "brake" && element != "clutch") return false;
       Coupling coupling;
-      coupling.kind = element == "brake" ? CouplingKind::brake : CouplingKind::clutch;
-      coupling.links.resize(element == "brake" ? 1 : 2);
+      const std::array kinds{CouplingKind::brake, CouplingKind::clutch, CouplingKind::freewheel};
+      const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                     [&](CouplingKind each) { return couplingKindName(each) == element; });
+      if (kind == kinds.end()) return false;
+      coupling.kind = *kind;
+      coupling.links.resize(coupling.kind == CouplingKind::brake ? 1 : 2);
       add(name, list, row, std::move(coupling));
     } else {
       if (element != Description<Element>::name) return false;

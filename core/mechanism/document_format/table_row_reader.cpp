@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/foundations/base/wording.h"
 #include "core/foundations/base/words.h"
 #include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/table_columns.h"
@@ -164,7 +165,10 @@ void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& 
   const std::string& text = cell(column);
   if (text.empty()) return;
   kind = meshKindFrom(text);
-  if (!kind) unexpected(column, toTranslate("external, internal or bevel"));
+  if (kind) return;
+  std::vector<std::string> names;
+  for (const MeshKind each : meshKinds()) names.emplace_back(meshKindName(each));
+  unexpected(column, listed(names, kAllNames, "or"));
 }
 
 void TableRowReader::hand(std::string_view column, std::optional<Hand>& hand) {

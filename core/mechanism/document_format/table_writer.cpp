@@ -37,7 +37,7 @@ std::string_view rowWord(const Element& /*element*/) {
   return Description<Element>::name;
 }
 std::string_view rowWord(const Coupling& coupling) {
-  return coupling.kind == CouplingKind::brake ? "brake" : "clutch";
+  return couplingKindName(coupling.kind);
 }
 
 /// The cells of one element.

@@ -57,7 +57,7 @@ Expected<std::map<AxisPair, Rational>> distancesAfter(const Mechanism& before, c
     if ((was.tailTeeth != now.tailTeeth && isPinned(before.links[geometry.tail])) ||
         (was.headTeeth != now.headTeeth && isPinned(before.links[geometry.head])))
       return pinRejection(before, placement, mesh);
-    if (hasIntersectingAxes(geometry.kind)) continue;
+    if (!hasParallelAxes(geometry.kind)) continue;
     if (hasRing(geometry.kind) && now.tailTeeth == now.headTeeth) return equalInternalTeeth(edited, mesh);
     const auto [base, isFirst] = bases.try_emplace(axisPairOf(geometry), mesh);
     if (!isFirst && rank(mesh) > rank(base->second)) base->second = mesh;
@@ -196,9 +196,10 @@ Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId m
   if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
   const MeshKind was = placement.meshes[position]->kind;
-  if (was != kind && !hasParallelAxes(kind))
+  if (was != kind && hasIntersectingAxes(kind))
     return unlessBroken(before, withBevels(mechanism, placement, position, kind));
-  if (was == kind || !hasParallelAxes(was)) return unlessBroken(before, std::move(plain));
+  if (was == kind || !hasParallelAxes(was) || !hasParallelAxes(kind))
+    return unlessBroken(before, std::move(plain));
   const GearMesh& element = mechanism.gearMeshes[position];
   return fitted(before, {position, element.tailTeeth, element.headTeeth, kind});
 }

@@ -75,6 +75,8 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
                                 "meshes. Resolve the reported problems first.",
                                 {std::to_string(kMaxFittedMeshes)}));
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
+  if (!touches(geometryOf(placement, position).kind))
+    return rejection(mesh, translated("A belt and pins have no module: state a pitch or running diameters."));
   const Rational factor = module / plainDecimal(*moduleOf(mechanism, placement, position));
   const std::vector<int> along =
       meshesOfOneModule(mechanism, placement, [position](int each) { return each == position; });

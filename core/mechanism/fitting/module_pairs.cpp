@@ -17,6 +17,10 @@ std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& 
     for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
       if (isReached[mesh]) continue;
       const MeshGeometry& geometry = *placement.meshes[mesh];
+      if (!touches(geometry.kind)) {  // its pulleys have a size of their own
+        isReached[mesh] = starts(mesh);
+        continue;
+      }
       const bool isBevel = !hasParallelAxes(geometry.kind);
       const std::pair tail(wheels.wheelOf(2 * mesh), isBevel), head(wheels.wheelOf(2 * mesh + 1), isBevel);
       if (!starts(mesh) && !reached.contains(tail) && !reached.contains(head) &&

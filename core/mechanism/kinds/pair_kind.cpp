@@ -33,6 +33,12 @@ std::optional<SecondCentral> noSecond(int /*planet*/, int /*central*/) {
   return std::nullopt;
 }
 
+/// Pulleys with room for the strand between them. Their distance is free: this is where they are put.
+DistanceForm looseForm(int partner, bool /*isLarger*/) {
+  constexpr int kGap = 20;  // half modules
+  return {1, partner + kGap};
+}
+
 /// The second side gear of a differential.
 std::optional<SecondCentral> sideGear(int /*planet*/, int side) {
   return SecondCentral{MeshKind::bevel, side};
@@ -66,6 +72,30 @@ constexpr PairKind kBevel{.name = "bevel",
                           .secondCentral = sideGear,
                           .other = std::nullopt};
 
+constexpr PairKind kBelt{.name = "belt",
+                         .word = toTranslate("belt"),
+                         .makeIt = toTranslate("Make %1 a belt"),
+                         .sense = 1,
+                         .touches = false,
+                         .canCross = true,
+                         .distance = sumOf,
+                         .distanceForm = looseForm,
+                         .secondCentral = noSecond,
+                         .other = std::nullopt,
+                         .since = 2};
+
+constexpr PairKind kPins{.name = "pins",
+                         .word = toTranslate("pins"),
+                         .makeIt = toTranslate("Make %1 a pair of pins and holes"),
+                         .sense = 1,
+                         .touches = false,
+                         .hasTeeth = false,
+                         .distance = sumOf,
+                         .distanceForm = sumForm,
+                         .secondCentral = noSecond,
+                         .other = std::nullopt,
+                         .since = 2};
+
 template <class Fits>
 MeshKind firstKind(const Fits& fits) {
   const auto all = meshKinds();
@@ -78,7 +108,7 @@ MeshKind firstKind(const Fits& fits) {
 }  // namespace
 
 KindTable<MeshKind, PairKind>& pairKinds() {
-  static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel);
+  static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel, &kBelt, &kPins);
   return table;
 }
 
@@ -116,7 +146,7 @@ MeshKind ringKind() {
 }
 
 bool hasParallelAxes(MeshKind kind) {
-  return pairKind(kind).axes == LinePosition::parallel;
+  return pairKind(kind).axes == LinePosition::parallel && touches(kind);
 }
 
 bool hasIntersectingAxes(MeshKind kind) {
@@ -129,6 +159,10 @@ bool isBesideEachOther(MeshKind kind) {
 
 bool hasRing(MeshKind kind) {
   return pairKind(kind).hasRing;
+}
+
+bool touches(MeshKind kind) {
+  return pairKind(kind).touches;
 }
 
 bool turnsAlike(MeshKind kind) {

@@ -12,12 +12,18 @@ namespace geargraph::inline kinds {
 
 /// The kinds of gear pairs. Whatever differs between them is asked of the kind: of its PairKind, or of its
 /// facet in the table of a layer that adds something (core/README.md, Kinds). Nothing else compares kinds.
-enum class MeshKind : std::uint8_t { external, internal, bevel };
+enum class MeshKind : std::uint8_t {
+  external,
+  internal,
+  bevel,
+  belt,
+  pins,
+};
 
 }  // namespace geargraph::inline kinds
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 3;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 5;
 
 namespace geargraph::inline kinds {
 
@@ -47,6 +53,11 @@ struct PairKind {
   /// opposite ones. 0: where the pitch point lies decides.
   int sense = -1;
   bool hasRing = false;  ///< the wheel with more teeth surrounds the other
+  /// Its wheels touch in a pitch point, which with the axes makes their radii. False: their sense does not
+  /// depend on where the axes are, and their distance is free (belts, pins).
+  bool touches = true;
+  bool hasTeeth = true;     ///< false: it turns 1 : 1, and documents leave its teeth out
+  bool canCross = false;    ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
   /// The centre distance of pitch radii. Unused where axes intersect.
   double (*distance)(double tailRadius, double headRadius) = nullptr;
   /// The same for teeth of one wheel, by those of its partner; `isLarger`: it has more teeth.
@@ -79,11 +90,14 @@ constexpr MeshKind kUsualKind = MeshKind::external;
 /// The first kind with a ring.
 [[nodiscard]] MeshKind ringKind();
 
+/// On parallel axes that its wheels hold apart.
 [[nodiscard]] bool hasParallelAxes(MeshKind kind);
 [[nodiscard]] bool hasIntersectingAxes(MeshKind kind);
 /// On parallel axes, without a ring.
 [[nodiscard]] bool isBesideEachOther(MeshKind kind);
 [[nodiscard]] bool hasRing(MeshKind kind);
+/// Do its wheels touch (PairKind::touches)?
+[[nodiscard]] bool touches(MeshKind kind);
 /// Do both gears turn in the same direction, whatever their pitch point (PairKind::sense)?
 [[nodiscard]] bool turnsAlike(MeshKind kind);
 /// Teeth whose half is the centre distance in modules; 0 where no pair has such teeth.

@@ -326,7 +326,28 @@ Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, i
 Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional<MeshKind> kind) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
   if (found == nullptr) return unknown(mesh);
+  const bool hadNoTeeth = !statesTeeth(*found);
   found->kind = kind;
+  const PairKind& now = pairKind(saidKind(*found));
+  if (!now.canCross) {
+    found->crossed = false;
+    found->pitch.reset();
+    found->tailDiameter.reset();
+    found->headDiameter.reset();
+  }
+  if (!now.touches) {
+    found->pitchPoint.reset();
+    found->friction.reset();
+  }
+  settleWeights(*found);
+  if (hadNoTeeth && statesTeeth(*found)) {  // 1 : 1 are no teeth
+    const GearMesh usual;
+    const int times = std::max(1, usual.tailTeeth / std::min(found->tailTeeth, found->headTeeth));
+    if (std::max(found->tailTeeth, found->headTeeth) <= kMaxTeeth / times) {
+      found->tailTeeth *= times;
+      found->headTeeth *= times;
+    }
+  }
   return mechanism;
 }
 

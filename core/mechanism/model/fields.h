@@ -320,7 +320,34 @@ struct Description<GearMesh> {
                                        .fallback = "that of `gearDefaults`",
                                        .measure = Measure::angle,
                                        .range = NumberRange::positive,
-                                       .since = 2}));
+                                       .since = 2}),
+      field(&GearMesh::crossed, {.name = "crossed",
+                                 .value = MemberValue::flag,
+                                 .meaning = "of a belt: its strands cross between the pulleys",
+                                 .fallback = "false",
+                                 .since = 2}),
+      field(&GearMesh::pitch, {.name = "pitch",
+                               .value = MemberValue::number,
+                               .meaning = "of a belt: the length of one of its teeth",
+                               .fallback = "follows from the distance of the axes",
+                               .measure = Measure::length,
+                               .range = NumberRange::positive,
+                               .since = 2}),
+      field(&GearMesh::tailDiameter,
+            {.name = "tailDiameter",
+             .value = MemberValue::number,
+             .meaning = "of a belt, instead of `tailTeeth`: the running diameter of the first pulley; then "
+                        "also `headDiameter`",
+             .measure = Measure::length,
+             .range = NumberRange::positive,
+             .since = 2}),
+      field(&GearMesh::headDiameter,
+            {.name = "headDiameter",
+             .value = MemberValue::number,
+             .meaning = "the same of the second pulley",
+             .measure = Measure::length,
+             .range = NumberRange::positive,
+             .since = 2}));
 };
 
 template <>
@@ -414,16 +441,18 @@ struct Description<Coupling> {
             {{.name = "kind",
               .value = MemberValue::couplingKind,
               .meaning = "engaged, a brake holds a link against the ground, a clutch makes two links turn as "
-                         "one",
+                         "one; a freewheel (version 2) lets its first link turn slower than its second, in "
+                         "`+direction` of the axis of the first link's own joint, and locks where it would "
+                         "turn faster; one of the two may be the ground",
               .isNeeded = true,
-              .expected = toTranslate("\"brake\" or \"clutch\"")},
+              .expected = toTranslate("\"brake\", \"clutch\" or \"freewheel\"")},
              {.name = "link",
               .value = MemberValue::reference,
               .meaning = "the link that a brake holds",
               .target = ElementKind::link},
              {.name = "links",
               .value = MemberValue::references,
-              .meaning = "the two links of a clutch",
+              .meaning = "the two links of a clutch or of a freewheel",
               .target = ElementKind::link,
               .expected = toTranslate("a list of two ids of links")}}));
 };
@@ -453,7 +482,14 @@ struct Description<ShiftState> {
       field(&ShiftState::driven, {.name = "driven",
                                   .value = MemberValue::reference,
                                   .meaning = "the link that is driven",
-                                  .target = ElementKind::link}));
+                                  .target = ElementKind::link}),
+      field(&ShiftState::direction,
+            {.name = "direction",
+             .value = MemberValue::number,
+             .meaning = "-1: `drive` turns against `+direction` of its axis, 1: along it. Decides only which "
+                        "freewheels lock",
+             .fallback = "1",
+             .since = 2}));
 };
 
 template <>
@@ -678,7 +714,8 @@ struct Description<Mechanism> {
             {.name = "couplings",
              .value = MemberValue::objects,
              .meaning = "brakes and clutches: `{\"id\": \"A\", \"kind\": \"brake\", \"link\": \"5\"}`, "
-                        "`{\"id\": \"E\", \"kind\": \"clutch\", \"links\": [\"1\", \"4\"]}`. They have no "
+                        "`{\"id\": \"E\", \"kind\": \"clutch\", \"links\": [\"1\", \"4\"]}`; freewheels: "
+                        "`{\"id\": \"F\", \"kind\": \"freewheel\", \"links\": [\"1\", \"4\"]}`. They have no "
                         "label and no row of a matrix",
              .part = DocumentPart::coupling}),
       field(&Mechanism::states,

@@ -1,9 +1,13 @@
 #include "core/mechanism/model/mechanism.h"
 
 #include <algorithm>
+#include <charconv>
 #include <numbers>
+#include <string>
+#include <tuple>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/words.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -27,6 +31,61 @@ std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
 double helixOf(const GearMesh& mesh) {
   if (!mesh.helixAngle) return 0;
   return signOf(mesh.hand.value_or(Hand::right)) * mesh.helixAngle->value() * std::numbers::pi / 180;
+}
+
+bool statesTeeth(const GearMesh& mesh) {
+  return pairKind(saidKind(mesh)).hasTeeth && !mesh.tailDiameter && !mesh.headDiameter;
+}
+
+std::optional<std::pair<int, int>> weightsWithoutTeeth(const GearMesh& mesh) {
+  GEARGRAPH_REQUIRE(!statesTeeth(mesh));
+  if (!pairKind(saidKind(mesh)).hasTeeth) return std::pair(1, 1);
+  if (!mesh.tailDiameter || !mesh.headDiameter) return std::nullopt;
+  const Rational tail = mesh.tailDiameter->exact();
+  const Rational head = mesh.headDiameter->exact();
+  if (tail.sign() <= 0 || head.sign() <= 0) return std::nullopt;
+  const Rational ratio = tail / head;
+  const std::string text = ratio.toString();  // "57/20", in lowest terms
+  const std::size_t bar = text.find('/');
+  const auto whole = [](std::string_view digits) -> std::optional<int> {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || value < kMinTeeth || value > kMaxTeeth) return std::nullopt;
+    return value;
+  };
+  const auto a = whole(std::string_view(text).substr(0, bar));
+  const auto b = bar == std::string::npos ? 1 : whole(std::string_view(text).substr(bar + 1));
+  if (!a || !b) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
+void settleWeights(GearMesh& mesh) {
+  if (statesTeeth(mesh)) return;
+  if (const auto weights = weightsWithoutTeeth(mesh)) std::tie(mesh.tailTeeth, mesh.headTeeth) = *weights;
+}
+
+std::string_view couplingKindName(CouplingKind kind) {
+  switch (kind) {
+    case CouplingKind::brake:
+      return "brake";
+    case CouplingKind::clutch:
+      return "clutch";
+    case CouplingKind::freewheel:
+      return "freewheel";
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+std::string couplingName(CouplingKind kind, std::string_view id) {
+  switch (kind) {
+    case CouplingKind::brake:
+      return translated("brake %1", {std::string(id)});
+    case CouplingKind::clutch:
+      return translated("clutch %1", {std::string(id)});
+    case CouplingKind::freewheel:
+      return translated("freewheel %1", {std::string(id)});
+  }
+  GEARGRAPH_REQUIRE(false);
 }
 
 std::string_view loadSharingName(LoadSharing sharing) {

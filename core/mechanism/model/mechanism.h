@@ -107,6 +107,12 @@ struct GearMesh {
   bool herringbone = false;       ///< the two halves of the face have opposite hands, `hand` the lower one
   std::optional<Number> module = {};         ///< normal module; none: from the centre distance
   std::optional<Number> pressureAngle = {};  ///< normal, degrees; none: that of GearDefaults
+  bool crossed = false;                 ///< of a belt: its strands cross between the pulleys
+  std::optional<Number> pitch = {};     ///< of a belt: length of a tooth
+  /// Running diameters of a belt's pulleys, instead of teeth: both or none. tailTeeth : headTeeth is then
+  /// their ratio in lowest terms (settleWeights()).
+  std::optional<Number> tailDiameter = {};
+  std::optional<Number> headDiameter = {};
   UnknownMembers unknown = {};
   friend bool operator==(const GearMesh&, const GearMesh&) = default;
 };
@@ -114,6 +120,15 @@ struct GearMesh {
 /// The helix angle of the tail's gear at its reference cylinder, rad, positive for a right-hand helix, 0 for
 /// straight teeth.
 [[nodiscard]] double helixOf(const GearMesh& mesh);
+
+/// Are the numbers of teeth of the mesh those that the document states? Else they are the weights of its row
+/// only: 1 : 1 for pins, the ratio of the running diameters of a belt.
+[[nodiscard]] bool statesTeeth(const GearMesh& mesh);
+/// The ratio tailTeeth : headTeeth of a mesh that states no teeth, in lowest terms; none where it has no
+/// such numbers from kMinTeeth to kMaxTeeth. @pre !statesTeeth(mesh)
+[[nodiscard]] std::optional<std::pair<int, int>> weightsWithoutTeeth(const GearMesh& mesh);
+/// Sets the teeth of a mesh that states none to its weights, where there are such.
+void settleWeights(GearMesh& mesh);
 
 /// The kind that the document says, kUsualKind where it says none.
 [[nodiscard]] inline MeshKind saidKind(const GearMesh& mesh) {
@@ -150,9 +165,16 @@ struct Input {
   friend bool operator==(const Input&, const Input&) = default;
 };
 
-enum class CouplingKind { brake, clutch };
+enum class CouplingKind { brake, clutch, freewheel };
 
-/// A brake (one link, held to the ground when engaged) or a clutch (two links that turn as one when engaged).
+/// The word of documents.
+[[nodiscard]] std::string_view couplingKindName(CouplingKind kind);
+/// The word of sentences with the coupling's id: "brake B", in the language in use.
+[[nodiscard]] std::string couplingName(CouplingKind kind, std::string_view id);
+
+/// A brake (one link, held to the ground when engaged), a clutch (two links that turn as one when engaged) or
+/// a freewheel: the first of its links may not turn faster than the second in +direction of the axis of its
+/// own joint, and while it is locked they turn as one.
 struct Coupling {
   CouplingId id;
   CouplingKind kind = CouplingKind::brake;
@@ -167,7 +189,8 @@ struct ShiftState {
   std::vector<CouplingId> engaged;
   std::optional<LinkId> drive;
   std::optional<LinkId> driven;
-  UnknownMembers unknown;
+  std::optional<Number> direction = {};  ///< 1 or -1: the sense of `drive`, which freewheels obey; none: 1
+  UnknownMembers unknown = {};
   friend bool operator==(const ShiftState&, const ShiftState&) = default;
 };
 

@@ -45,6 +45,11 @@ bool contains(const std::vector<CouplingId>& list, CouplingId coupling) {
   return std::find(list.begin(), list.end(), coupling) != list.end();
 }
 
+bool isFreewheel(const Mechanism& mechanism, CouplingId coupling) {
+  const Coupling* const found = mechanism.find(coupling);
+  return found != nullptr && found->kind == CouplingKind::freewheel;
+}
+
 ShiftState& stateAt(Mechanism& mechanism, int state) {
   GEARGRAPH_REQUIRE(state >= 0 && state < static_cast<int>(mechanism.states.size()));
   return mechanism.states[static_cast<std::size_t>(state)];
@@ -81,6 +86,12 @@ Expected<Mechanism> withClutch(Mechanism mechanism, LinkId one, LinkId other, co
   if (one == other)
     return rejection(Code::selfJoint, translated("A clutch needs two different links."), {one});
   return withCoupling(std::move(mechanism), CouplingKind::clutch, {one, other}, id);
+}
+
+Expected<Mechanism> withFreewheel(Mechanism mechanism, LinkId first, LinkId second, const std::string& id) {
+  if (first == second)
+    return rejection(Code::selfJoint, translated("A freewheel needs two different links."), {first});
+  return withCoupling(std::move(mechanism), CouplingKind::freewheel, {first, second}, id);
 }
 
 Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling, const std::string& name) {
@@ -132,6 +143,12 @@ Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::
 Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling, bool engaged) {
   if (mechanism.find(coupling) == nullptr) return noSuchCoupling(coupling);
   ShiftState& found = stateAt(mechanism, state);
+  if (engaged && isFreewheel(mechanism, coupling)) {
+    return rejection(Code::schema,
+                     translated("State \"%1\" engages freewheel \"%2\", which locks by itself: leave it out.",
+                                {found.name, coupling.text()}),
+                     {coupling});
+  }
   std::vector<CouplingId> ordered;
   for (const Coupling& each : mechanism.couplings) {
     if (each.id == coupling ? engaged : contains(found.engaged, each.id)) ordered.push_back(each.id);
@@ -175,7 +192,9 @@ bool isEngaged(const Mechanism& mechanism, int state) {
     return [&list](CouplingId coupling) { return contains(list, coupling); };
   };
   return std::all_of(wanted.begin(), wanted.end(), in(mechanism.engaged)) &&
-         std::all_of(mechanism.engaged.begin(), mechanism.engaged.end(), in(wanted));
+         std::all_of(mechanism.engaged.begin(), mechanism.engaged.end(), [&](CouplingId coupling) {
+           return contains(wanted, coupling) || isFreewheel(mechanism, coupling);
+         });
 }
 
 int engagedState(const Mechanism& mechanism) {

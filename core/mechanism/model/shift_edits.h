@@ -16,6 +16,10 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withClutch(Mechanism mechanism, LinkId one, LinkId other,
                                              const std::string& id = {});
 
+/// `first` may not turn faster than `second` (Coupling); one of them may be the ground.
+[[nodiscard]] Expected<Mechanism> withFreewheel(Mechanism mechanism, LinkId first, LinkId second,
+                                                const std::string& id = {});
+
 /// Changes the id of a coupling, also in states. Rejects unknown-id, duplicate-id and an empty id.
 [[nodiscard]] Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling,
                                                       const std::string& name);
@@ -28,7 +32,7 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withoutState(Mechanism mechanism, int state);
 /// Rejects duplicate-id and the empty name.
 [[nodiscard]] Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::string& name);
-/// Engages or releases a coupling in a state. Engaged ones are in the order of the document's couplings.
+/// Engages or releases a coupling in a state. Rejects a freewheel that is to be engaged, which no state names. Engaged ones are in the order of the document's couplings.
 [[nodiscard]] Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling,
                                               bool engaged);
 /// Sets the links whose speeds define the ratio, of one state; of all with `state` -1.
@@ -42,7 +46,7 @@ namespace geargraph::inline model {
 
 /// Is this brake or clutch engaged in the document?
 [[nodiscard]] bool isEngaged(const Mechanism& mechanism, CouplingId coupling);
-/// Are exactly the couplings of this state engaged in the document? True for all states with the same
+/// Are exactly the couplings of this state engaged in the document, whatever freewheels do? True for all states with the same
 /// couplings, which differ in their drive; false if nothing is engaged. @pre there is such a state
 [[nodiscard]] bool isEngaged(const Mechanism& mechanism, int state);
 /// The position of the engaged state; among several with the same couplings the one whose drive is at the

@@ -148,6 +148,7 @@ class WellFormedCheck {
       teeth(mesh, mesh.headTeeth, at + "/headTeeth");
       wheelOf(mesh, mesh.tailWheel, mesh.tail, at + "/tailWheel");
       wheelOf(mesh, mesh.headWheel, mesh.head, at + "/headWheel");
+      checkStrand(mesh, at);
       if (mesh.faceWidth && mesh.faceWidth->value() <= 0) {  // 1e-999 is 0 for all who reckon with it
         add(Code::schema, translated("The face width of a gear mesh is above 0."), {mesh.id},
             at + "/faceWidth");
@@ -178,6 +179,55 @@ class WellFormedCheck {
         translated("A gear has 1 to 100,000 teeth; mesh \"%1\" says %2.",
                    {mesh.id.text(), std::to_string(count)}),
         {mesh.id}, pointer);
+  }
+
+  /// The members that only some kinds have.
+  void checkStrand(const GearMesh& mesh, const std::string& at) {
+    const PairKind& kind = pairKind(saidKind(mesh));
+    const auto reject = [&](const char* sentence, const char* member) {
+      add(Code::schema, filled(translated(sentence), {mesh.id.text()}), {mesh.id}, at + member);
+    };
+    if (!kind.canCross) {
+      const auto only = [&](bool isThere, const char* member) {
+        if (isThere)
+          reject(toTranslate("Only a belt is crossed, or has a pitch or running diameters; mesh \"%1\" is "
+                             "none."),
+                 member);
+      };
+      only(mesh.crossed, "/crossed");
+      only(mesh.pitch.has_value(), "/pitch");
+      only(mesh.tailDiameter.has_value(), "/tailDiameter");
+      only(mesh.headDiameter.has_value(), "/headDiameter");
+      if (mesh.crossed || mesh.pitch || mesh.tailDiameter || mesh.headDiameter) return;
+    }
+    if (!kind.touches && mesh.friction)
+      reject(toTranslate("Mesh \"%1\" has no teeth that slide: state its `efficiency`, not a `friction`."),
+             "/friction");
+    if (!kind.touches && mesh.pitchPoint)
+      reject(toTranslate("Mesh \"%1\" is a belt or pins, which have no pitch point: leave it out."),
+             "/pitchPoint");
+    for (const auto& [length, member] :
+         {std::pair(&mesh.pitch, "/pitch"), std::pair(&mesh.tailDiameter, "/tailDiameter"),
+          std::pair(&mesh.headDiameter, "/headDiameter")}) {
+      if (*length && (*length)->value() <= 0)
+        reject(toTranslate("Pitch and running diameters of belt \"%1\" are above 0."), member);
+    }
+    if (mesh.tailDiameter.has_value() != mesh.headDiameter.has_value()) {
+      reject(toTranslate("Belt \"%1\" has teeth at both ends, or running diameters at both."),
+             mesh.tailDiameter ? "/headDiameter" : "/tailDiameter");
+    } else if (!statesTeeth(mesh)) {
+      const auto weights = weightsWithoutTeeth(mesh);
+      if (!weights) {
+        reject(toTranslate("The running diameters of belt \"%1\" are in the ratio of two whole numbers up to "
+                           "100,000: give them with fewer digits."),
+               "/headDiameter");
+      } else if (static_cast<long long>(mesh.tailTeeth) * weights->second !=
+                 static_cast<long long>(mesh.headTeeth) * weights->first) {
+        reject(toTranslate("Pins turn 1 : 1 and belts with running diameters in their ratio; mesh \"%1\" "
+                           "states other teeth: leave them out."),
+               "/tailTeeth");
+      }
+    }
   }
 
   void wheelOf(const GearMesh& mesh, const std::optional<WheelId>& wheel, LinkId link,
@@ -229,12 +279,17 @@ class WellFormedCheck {
       }
       const std::size_t wanted = isBrake ? 1 : 2;
       if (coupling.links.size() != wanted) {
-        add(Code::schema, translated("A brake names one link, a clutch two."), {coupling.id},
-            at + (isBrake ? "/link" : "/links"));
+        add(Code::schema,
+            coupling.kind == CouplingKind::freewheel ? translated("A freewheel names two links.")
+                                                     : translated("A brake names one link, a clutch two."),
+            {coupling.id}, at + (isBrake ? "/link" : "/links"));
       } else if (wanted == 2 && coupling.links[0] == coupling.links[1]) {
         add(Code::selfJoint,
-            translated("Clutch \"%1\" ties link \"%2\" to itself.",
-                       {coupling.id.text(), coupling.links[0].text()}),
+            coupling.kind == CouplingKind::freewheel
+                ? translated("Freewheel \"%1\" ties link \"%2\" to itself.",
+                             {coupling.id.text(), coupling.links[0].text()})
+                : translated("Clutch \"%1\" ties link \"%2\" to itself.",
+                             {coupling.id.text(), coupling.links[0].text()}),
             {coupling.id, coupling.links[0]}, at + "/links/1");
       }
     }
@@ -252,6 +307,16 @@ class WellFormedCheck {
       }
       for (std::size_t k = 0; k < state.engaged.size(); ++k) {
         reference(owner, state.engaged[k], m_couplings, at + "/engaged/" + std::to_string(k));
+        const Coupling* const coupling = m_mechanism.find(state.engaged[k]);
+        if (coupling != nullptr && coupling->kind == CouplingKind::freewheel) {
+          add(Code::schema,
+              translated("State \"%1\" engages freewheel \"%2\", which locks by itself: leave it out.",
+                         {state.name, state.engaged[k].text()}),
+              {owner, state.engaged[k]}, at + "/engaged/" + std::to_string(k));
+        }
+      }
+      if (state.direction && state.direction->exact().abs() != Rational(1)) {
+        add(Code::schema, translated("The direction of a state is 1 or -1."), {owner}, at + "/direction");
       }
       if (state.drive) reference(owner, *state.drive, m_links, at + "/drive");
       if (state.driven) reference(owner, *state.driven, m_links, at + "/driven");

@@ -131,7 +131,7 @@ class AxisPlacer {
 
   [[nodiscard]] Rational moduleOfGiven() const {
     for (std::size_t i = 0; i < m_words.size(); ++i) {
-      if (!m_words[i]) continue;
+      if (!m_words[i] || !touches(saidKind(mesh(static_cast<int>(i))))) continue;
       const auto& a = m_lines[m_classes.classes[m_words[i]->tailClass].axis];
       const auto& b = m_lines[m_classes.classes[m_words[i]->headClass].axis];
       const int teeth = distanceTeethOf(static_cast<int>(i));
@@ -182,8 +182,13 @@ class AxisPlacer {
     for (const Partner& partner : m_meshesAt[axis]) {
       if (m_lines[partner.axis]) continue;
       std::vector<Partner>& list = open[m_words[partner.mesh]->carrier];
-      const auto same = [&](const Partner& p) { return p.axis == partner.axis; };
-      if (std::none_of(list.begin(), list.end(), same)) list.push_back(partner);
+      const auto same =
+          std::find_if(list.begin(), list.end(), [&](const Partner& p) { return p.axis == partner.axis; });
+      if (same == list.end()) {
+        list.push_back(partner);
+      } else if (!touches(saidKind(mesh(same->mesh)))) {
+        *same = partner;  // wheels that touch say how far
+      }
     }
     for (const auto& [carrier, list] : open) {
       int apex = 0;

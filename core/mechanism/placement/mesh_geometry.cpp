@@ -198,15 +198,14 @@ std::optional<Diagnostic> checkHelix(const Mechanism& mechanism, MeshOrdinal mes
   return moduleAgainstDistance(mechanism, mesh, distance, share * module, distance / share);
 }
 
-/// The unit vector or its opposite: the one whose first component that is not 0 is positive.
-Vector3 oriented(const Vector3& direction) {
+}  // namespace
+
+Vector3 orientedNormal(const Vector3& direction) {
   for (const double component : direction) {
     if (std::abs(component) > kSameLine) return component > 0 ? direction : -1.0 * direction;
   }
   return direction;
 }
-
-}  // namespace
 
 LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train) {
   if (areParallel(pair.tailDirection, pair.headDirection)) return LinePosition::parallel;
@@ -251,7 +250,7 @@ bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<
     return reject(offPlane(mechanism, mesh, pair, position, geometry));
   }
 
-  geometry.normal = oriented((1 / tailLength) * tail);
+  geometry.normal = orientedNormal((1 / tailLength) * tail);
   geometry.tailRadius = dot(geometry.normal, tail);
   geometry.headRadius = dot(geometry.normal, head);
   geometry.sign = geometry.tailRadius * geometry.headRadius < 0 ? -1 : 1;

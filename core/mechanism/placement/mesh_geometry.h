@@ -33,7 +33,8 @@ struct MeshGeometry {
   Vector3 tailToHead{};
   Vector3 tailToPitch{};
   /// e_c: the normal of the plane of both axes, its first component that is not 0 positive (the paper's x
-  /// direction).
+  /// direction). Where the wheels do not touch: the direction of the strand, or of the push of a pin, through
+  /// the pitch point (strand.h).
   Vector3 normal{};
   double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
@@ -42,6 +43,9 @@ struct MeshGeometry {
   double tailHelix = 0;
   double headHelix = 0;
 };
+
+/// The unit vector or its opposite: the one whose first component that is not 0 is positive.
+[[nodiscard]] Vector3 orientedNormal(const Vector3& direction);
 
 [[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "core/foundations/base/rational.h"
 #include "core/foundations/base/triple.h"
 #include "core/mechanism/kinds/pair_kind.h"
+#include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/pitch_point.h"
 
 namespace geargraph::inline placement {
@@ -25,6 +27,9 @@ struct PairRule {
   /// The same in fractions; std::nullopt if it is irrational.
   std::optional<ExactVector3> (*exactPitchPoint)(const GearPair<Rational>& pair,
                                                  const PitchPlace<Rational>& place) = nullptr;
+  /// Of wheels that do not touch, instead of a pitch point: how far the line of action passes from the axes
+  /// of tail and head, which are `distance` apart. Their ratio is that of the weights.
+  std::pair<double, double> (*radii)(const GearMesh& mesh, double distance) = nullptr;
 };
 
 [[nodiscard]] KindTable<MeshKind, PairRule>& pairRules();
@@ -34,5 +39,7 @@ struct PairRule {
 extern const PairRule kExternalRule;
 extern const PairRule kInternalRule;
 extern const PairRule kBevelRule;
+extern const PairRule kBeltRule;
+extern const PairRule kPinsRule;
 
 }  // namespace geargraph::inline placement

@@ -6,6 +6,7 @@
 #include "core/mechanism/placement/axis_placer.h"
 #include "core/mechanism/placement/bevel_arranger.h"
 #include "core/mechanism/placement/pair_rule.h"
+#include "core/mechanism/placement/strand.h"
 #include "core/mechanism/placement/tolerance.h"
 
 namespace geargraph::inline placement {
@@ -94,6 +95,14 @@ class MeshLocator {
     geometry.tailTeeth = element.tailTeeth;
     geometry.headTeeth = element.headTeeth;
     const LinePosition position = positionOf(pair, m_train);
+    if (!touches(saidKind(element))) {
+      const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
+      if (!placeStrand(m_mechanism, mesh, pair, position, inner ? pair.tailPoint : pair.headPoint, geometry,
+                       m_placement.diagnostics))
+        return false;
+      geometry.pitchPoint = tail.point + geometry.tailToPitch;
+      return true;
+    }
     if (position == LinePosition::skew) return reject(skewAxes(m_mechanism, mesh, pair));
     if (!element.pitchPoint) {
       if (!derivePitchPoint(mesh, pair, word, position, geometry))
@@ -216,6 +225,7 @@ ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placemen
 std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
                                             MeshOrdinal mesh) {
   const MeshGeometry& geometry = *placement.meshes[mesh];
+  if (!touches(geometry.kind)) return std::nullopt;
   if (!geometry.derived) {
     return toFractions(*mechanism.gearMeshes[mesh].pitchPoint);
   }

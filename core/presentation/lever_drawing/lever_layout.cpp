@@ -28,7 +28,7 @@ class BarArranger {
     }
     const PositionIndex<LinkTag> linkAt(mechanism.links);
     for (const Coupling& coupling : mechanism.couplings) {
-      if (coupling.kind == CouplingKind::clutch)
+      if (coupling.kind != CouplingKind::brake)
         m_clutches.emplace_back(leversWith(linkAt.at(coupling.links[0])),
                                 leversWith(linkAt.at(coupling.links[1])));
     }

@@ -185,7 +185,7 @@ class NomogramDrawer {
       const ShiftState& state = m_mechanism.states[static_cast<std::size_t>(line.state)];
       if (std::find(state.engaged.begin(), state.engaged.end(), coupling.id) == state.engaged.end()) continue;
       Rational beyond;
-      if (coupling.kind == CouplingKind::clutch) {
+      if (coupling.kind != CouplingKind::brake) {
         const LinkOrdinal other = m_linkAt.at(coupling.links[coupling.links[0] == link ? 1 : 0]);
         if (m_plan.positionOf(other) < 0 || !isKnown(line, other)) return std::nullopt;
         beyond = speedOf(line, other);

@@ -190,9 +190,7 @@ class MatroidPart : private ReportPart {
         sum += rateName(m_graph, term.of);
       }
       table.rows.push_back(
-          {plainWords(coupling.kind == CouplingKind::brake ? translated("brake %1", {coupling.id.text()})
-                                                           : translated("clutch %1", {coupling.id.text()})),
-           reportWords("$" + sum + " = 0$")});
+          {plainWords(couplingName(coupling.kind, coupling.id.text())), reportWords("$" + sum + " = 0$")});
     }
     put(std::move(table));
   }

@@ -1,5 +1,7 @@
 #include "core/presentation/results/states_json.h"
 
+#include <algorithm>
+
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/results/diagnostics_json.h"
@@ -22,6 +24,7 @@ class StatesJson {
     m_json.beginArray(Layout::row);
     for (const CouplingId coupling : state.engaged) m_json.string(coupling.text());
     m_json.endArray();
+    writeFreewheels(solution);
     writeDof(solution);
     writeRatio(solution);
     writeSpeeds(solution);
@@ -34,6 +37,19 @@ class StatesJson {
   }
 
  private:
+  /// Only of documents that have some.
+  void writeFreewheels(const StateSolution& solution) {
+    const auto& couplings = m_snapshot.mechanism->couplings;
+    if (std::none_of(couplings.begin(), couplings.end(),
+                     [](const Coupling& each) { return each.kind == CouplingKind::freewheel; }))
+      return;
+    m_json.key("freewheels");
+    m_json.beginObject(Layout::row);
+    for (const StateSolution::Freewheel& each : solution.freewheels)
+      m_json.member(couplings[each.coupling].id.text(), std::string_view(each.isLocked ? "locked" : "free"));
+    m_json.endObject();
+  }
+
   void writeDof(const StateSolution& solution) {
     m_json.key("dof");
     if (hasErrors(solution.diagnostics)) return m_json.null();

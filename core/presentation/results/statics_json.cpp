@@ -222,7 +222,7 @@ class StaticsJson {
       const Coupling& coupling = m_mechanism.couplings[held.coupling];
       m_json.key(coupling.id.text());
       m_json.beginObject(Layout::row);
-      m_json.member("kind", std::string_view(coupling.kind == CouplingKind::brake ? "brake" : "clutch"));
+      m_json.member("kind", couplingKindName(coupling.kind));
       m_json.member("axis", axisId(held.axis));
       const int unknown = unknownOf(part);
       member("torque", determined(unknown, value(unknown)));

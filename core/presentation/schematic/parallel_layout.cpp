@@ -200,6 +200,7 @@ double scaleFor(const RadialSystem& system) {
 std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheels& train,
                                      const Placement& placement, const std::stop_token& stop) {
   std::vector<bool> givenUp(train.pairs.size());
+  for (std::size_t p = 0; p < givenUp.size(); ++p) givenUp[p] = !touches(train.pairs[p].kind);
   for (;;) {
     Roller roller(layout, train, placement, givenUp);
     RadialSystem system;
@@ -300,7 +301,8 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
     wheel.barTo = {wheel.high + kBarHalf, wheel.radius};
     wheel.outward = {0, wheel.isRing() ? -1.0 : 1.0};
   }
-  for (std::size_t p = 0; p < layout.pairs.size(); ++p) layout.pairs[p].apart = !system.contacts[p].kept;
+  for (std::size_t p = 0; p < layout.pairs.size(); ++p)
+    layout.pairs[p].apart = touches(train.pairs[p].kind) && !system.contacts[p].kept;
   cutInHalf(layout, placement, root);
 }
 

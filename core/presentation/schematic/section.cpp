@@ -19,6 +19,7 @@ constexpr double kNoHold = -1;
 constexpr double kContactWidth = 5;
 constexpr int kAxisDepth = kLineDepth - 2;
 constexpr int kSymbolDepth = kLineDepth + 2;
+constexpr double kStrandWidth = 1.4;
 
 class SectionBuilder {
  public:
@@ -60,6 +61,7 @@ class SectionBuilder {
   void addArrow(const SheetBearing& bearing, double height);
   void addArms();
   void addMesh(const SheetPair& pair);
+  void addStrands(const SheetWheel& a, const SheetWheel& b, const GearMesh& drawn, Section::Anchors& anchors);
   void addAxes();
 
   // --- how ---
@@ -387,6 +389,24 @@ std::pair<SheetPoint, SheetPoint> besideOf(const std::pair<SheetPoint, SheetPoin
   return to - from < 1 ? line : std::pair(line.first + from * way, line.first + to * way);
 }
 
+/// A belt of ISO 3952: a line on each side of the pulleys, which cross where the belt does.
+void SectionBuilder::addStrands(const SheetWheel& a, const SheetWheel& b, const GearMesh& drawn,
+                                Section::Anchors& anchors) {
+  const auto middle = [&](const SheetWheel& wheel, double side) {
+    const SheetPoint bar = between(wheel.barFrom, wheel.barTo, 0.5);
+    return axis(wheel.axis).at(bar.x, side * bar.y);
+  };
+  const std::vector<double> ofA = sides(a.axis), ofB = sides(b.axis);
+  for (std::size_t i = 0; i < std::max(ofA.size(), ofB.size()); ++i) {
+    const double side = ofA[std::min(i, ofA.size() - 1)];
+    const std::size_t at = drawn.crossed && ofB.size() > 1 ? 1 - i : i;
+    const SheetPoint from = middle(a, side);
+    const SheetPoint to = middle(b, ofB[std::min(at, ofB.size() - 1)]);
+    stroke(drawn.id, -1, from, to, kStrandWidth, kLineDepth);
+    anchor(anchors, between(from, to, 0.5));
+  }
+}
+
 void SectionBuilder::addMesh(const SheetPair& pair) {
   const SheetWheel& a = m_layout.wheels[pair.tail];
   const SheetWheel& b = m_layout.wheels[pair.head];
@@ -414,6 +434,12 @@ void SectionBuilder::addMesh(const SheetPair& pair) {
     }
   }
   Section::Anchors anchors{mesh, {}};
+  const GearMesh& drawn = m_part.mechanism.gearMeshes[pair.mesh];
+  if (!touches(saidKind(drawn))) {
+    addStrands(a, b, drawn, anchors);
+    m_section.meshes.push_back(std::move(anchors));
+    return;
+  }
   if (contacts.empty()) {  // far apart on the sheet: a dashed bow says that they mesh
     const SheetPoint from = ofA.first.x > ofA.second.x ? ofA.first : ofA.second;
     const SheetPoint to = ofB.first.x > ofB.second.x ? ofB.first : ofB.second;

@@ -264,7 +264,8 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
     SheetWheel& wheel = layout.wheels[w];
     wheelSymbol(wheel.kind).setBar(wheel, train.wheels[w], layout.axes[wheel.axis], layout.scale);
   }
-  for (SheetPair& pair : layout.pairs) pair.apart = !touch(layout, pair);
+  for (std::size_t p = 0; p < layout.pairs.size(); ++p)
+    layout.pairs[p].apart = touches(train.pairs[p].kind) && !touch(layout, layout.pairs[p]);
 }
 
 }  // namespace geargraph::inline schematic

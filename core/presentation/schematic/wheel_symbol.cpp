@@ -54,7 +54,8 @@ constexpr WheelSymbol kRingSymbol{
 constexpr WheelSymbol kConeSymbol{.frame = FrameSymbol::behind, .setBar = setSlopingBar, .away = fromApex};
 
 KindTable<GearKind, WheelSymbol>& wheelSymbols() {
-  static constinit KindTable<GearKind, WheelSymbol> table(&kDiscSymbol, &kRingSymbol, &kConeSymbol);
+  static constinit KindTable<GearKind, WheelSymbol> table(&kDiscSymbol, &kRingSymbol, &kConeSymbol,
+                                                          &kDiscSymbol);
   return table;
 }
 

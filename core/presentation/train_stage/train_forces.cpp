@@ -47,8 +47,7 @@ std::vector<StageForce> stageForces(const Mechanism& mechanism, const Placement&
     const MeshGeometry& geometry = *placement.meshes[mesh];
     forces.push_back({ForceKind::tooth, mechanism.gearMeshes[mesh].id,
                       textOfMesh(mechanism.meshLabel(static_cast<int>(mesh)), length(tooth.force)),
-                      vectorOf(geometry.pitchPoint), vectorOf(tooth.force),
-                      movingLink(mechanism, geometry.carrier)});
+                      vectorOf(tooth.point), vectorOf(tooth.force), movingLink(mechanism, geometry.carrier)});
   }
   const PositionIndex<LinkTag> links(mechanism.links);
   for (std::size_t joint = 0; joint < report.forces.bearings.size(); ++joint) {

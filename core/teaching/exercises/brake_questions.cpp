@@ -92,8 +92,7 @@ class BrakeQuestion {
   }
   [[nodiscard]] std::string nameOf(CouplingOrdinal coupling) const {
     const Coupling& named = couplingOf(coupling);
-    return named.kind == CouplingKind::brake ? translated("brake %1", {named.id.text()})
-                                             : translated("clutch %1", {named.id.text()});
+    return couplingName(named.kind, named.id.text());
   }
   [[nodiscard]] std::string optionOf(const Carried& each) const {
     return m_comparison.isOfState ? couplingOf(each.coupling).id.text() : stateOf(*each.state).name;

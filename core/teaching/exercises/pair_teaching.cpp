@@ -39,11 +39,33 @@ constexpr PairTeaching kBevelTeaching{
         toTranslate("Mesh %1 is a bevel mesh: seen from the carrier, its gears turn against each other, so "
                     "that f is %2.")};
 
+constexpr PairTeaching kBeltTeaching{
+    .signMistake = "belt-sign",
+    .signInRow = toTranslate("Mesh %1 is a belt: its pulleys turn the same way, seen from their carrier, and "
+                             "against each other where it is crossed."),
+    .signInTable = toTranslate("Mesh %1 is a belt: its pulleys turn the same way, seen from the carrier, and "
+                               "opposite ways where it is crossed."),
+    .sameWay =
+        toTranslate("Mesh %1 is an open belt: seen from the carrier, its pulleys turn the same way, so "
+                    "that f is %2."),
+    .againstEachOther = toTranslate("Mesh %1 is a crossed belt: seen from the carrier, its pulleys turn "
+                                    "against each other, so that f is %2.")};
+
+constexpr const char* kPinsFactor =
+    toTranslate("Mesh %1 is pins in holes: seen from the carrier, both links turn alike, so that f is %2.");
+
+constexpr PairTeaching kPinsTeaching{
+    .signMistake = "pins-sign",
+    .signInRow = toTranslate("Mesh %1 is pins in holes: both links turn alike, seen from their carrier."),
+    .signInTable = toTranslate("Mesh %1 is pins in holes: both links turn alike, seen from the carrier."),
+    .sameWay = kPinsFactor,
+    .againstEachOther = kPinsFactor};
+
 }  // namespace
 
 KindTable<MeshKind, PairTeaching>& pairTeachings() {
   static constinit KindTable<MeshKind, PairTeaching> table(&kExternalTeaching, &kInternalTeaching,
-                                                           &kBevelTeaching);
+                                                           &kBevelTeaching, &kBeltTeaching, &kPinsTeaching);
   return table;
 }
 

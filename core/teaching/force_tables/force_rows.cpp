@@ -419,6 +419,7 @@ class Rows {
     return {};
   }
   static const char* couplingText(const Coupling& coupling) {
+    if (coupling.kind == CouplingKind::freewheel) return toTranslate("freewheel %1");
     return coupling.kind == CouplingKind::brake ? toTranslate("brake %1") : toTranslate("clutch %1");
   }
   [[nodiscard]] ForceCell nameOf(const ElementPower& element) const {

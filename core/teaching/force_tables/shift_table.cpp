@@ -34,8 +34,12 @@ std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
     columns.push_back(
         {coupling.id.text(), "N m",
          isBrake ? translated("The torque that the brake exerts on its link while it is engaged.")
-                 : translated("The torque that the clutch exerts on the first of its links while it is "
-                              "engaged; the second one has the reaction."),
+         : coupling.kind == CouplingKind::freewheel
+             ? translated(
+                   "The torque that the freewheel exerts on the first of its links while it is locked; "
+                   "the second one has the reaction.")
+             : translated("The torque that the clutch exerts on the first of its links while it is "
+                          "engaged; the second one has the reaction."),
          true, false});
   }
   const auto add = [&](const char* head, const char* unit, const char* meaning, bool isFraction = false) {

@@ -112,6 +112,10 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
   append(snapshot->diagnostics, geometryDiagnostics(*live, stop));
   if (stop.stop_requested()) return nullptr;
   if (snapshot->solved) append(snapshot->diagnostics, snapshot->solved->diagnostics);
+  if (snapshot->solved && snapshot->solved->exact) {
+    append(snapshot->diagnostics, freewheelDiagnostics(*live->mechanism, live->kinematics->placement(),
+                                                       snapshot->solved->exact->rates));
+  }
   sortBySeverity(snapshot->diagnostics);
   return snapshot;
 }

@@ -20,11 +20,6 @@ std::string countedMeshes(std::size_t count, const std::string& names) {
   return count == 1 ? translated("mesh %1", {names}) : translated("meshes %1", {names});
 }
 
-std::string couplingName(const Coupling& coupling) {
-  return coupling.kind == CouplingKind::brake ? translated("brake %1", {coupling.id.text()})
-                                              : translated("clutch %1", {coupling.id.text()});
-}
-
 /// Speaks of elements by their labels and collects them as culprits.
 class Speaker {
  public:
@@ -70,7 +65,7 @@ class Speaker {
     for (const int position : positions) {
       const Coupling& coupling = m_mechanism.couplings[position];
       m_diagnostic.elements.emplace_back(coupling.id);
-      texts.push_back(couplingName(coupling));
+      texts.push_back(couplingName(coupling.kind, coupling.id.text()));
     }
     return texts.empty() ? std::string() : listed(texts, kMaxNames);
   }

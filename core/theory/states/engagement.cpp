@@ -53,6 +53,34 @@ std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism, const 
   return rows;
 }
 
+int freewheelSense(const Mechanism& mechanism, const Placement& placement, CouplingOrdinal freewheel) {
+  const auto rows = heldRows(mechanism, placement, freewheel);
+  if (rows.size() != 1) return 0;
+  const auto [second, first] = endsOf(mechanism, freewheel);
+  const LinkOrdinal of = first != 0 ? first : second;
+  const ClassOrdinal own = placement.classes->classOfLink(of);
+  return directionSign(placement, rows.front().axisClass, own) *
+         placement.classes->orientationSign[placement.tree->joint[of]];
+}
+
+Diagnostics freewheelDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                 const ByJoint<Rational>& rates) {
+  Diagnostics found;
+  const std::vector<int> engaged = engagedCouplings(mechanism);
+  for (CouplingOrdinal coupling = 0; coupling < static_cast<int>(mechanism.couplings.size()); ++coupling) {
+    if (mechanism.couplings[coupling].kind != CouplingKind::freewheel) continue;
+    if (std::binary_search(engaged.begin(), engaged.end(), int{coupling})) continue;
+    const int sense = freewheelSense(mechanism, placement, coupling);
+    if (sense == 0) continue;
+    const KinematicModel::HeldRow row = heldRows(mechanism, placement, coupling).front();
+    Rational slip = 0;
+    for (const KinematicModel::HeldRow::Term& term : row.joints)
+      slip += Rational(sense * term.factor) * rates[term.of];
+    if (slip.sign() > 0) found.push_back(freewheelDirection(mechanism, mechanism.couplings[coupling], slip));
+  }
+  return found;
+}
+
 Diagnostics clutchDiagnostics(const Mechanism& mechanism, const Placement& placement) {
   Diagnostics diagnostics;
   for (std::size_t position = 0; position < mechanism.couplings.size(); ++position) {

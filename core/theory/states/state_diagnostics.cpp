@@ -110,6 +110,57 @@ Diagnostic stateIdle(const Mechanism& mechanism, const ShiftState& state, const 
   return result;
 }
 
+namespace {
+
+/// The locked freewheels by name; all are blamed.
+std::string lockedNames(const Mechanism& mechanism, const std::vector<StateSolution::Freewheel>& freewheels,
+                        Diagnostic& result) {
+  std::vector<std::string> names;
+  for (const StateSolution::Freewheel& each : freewheels) {
+    result.elements.emplace_back(mechanism.couplings[each.coupling].id);
+    if (each.isLocked) names.push_back(mechanism.couplings[each.coupling].id.text());
+  }
+  return names.empty() ? translated("none") : listed(names, kMaxNames);
+}
+
+}  // namespace
+
+Diagnostic freewheelsOpen(const Mechanism& mechanism, const ShiftState& state,
+                          const std::vector<StateSolution::Freewheel>& found) {
+  Diagnostic result = makeDiagnostic(state, Code::stateFree);
+  const std::string names = lockedNames(mechanism, found, result);
+  result.message = translated(
+      "State %1: more than one pattern of locked and free freewheels is possible; shown is the one with "
+      "these "
+      "locked: %2.",
+      {state.name, names});
+  return result;
+}
+
+Diagnostic freewheelsOverrun(const Mechanism& mechanism, const ShiftState& state,
+                             const std::vector<StateSolution::Freewheel>& wanted) {
+  Diagnostic result = makeDiagnostic(state, Code::stateFree);
+  const std::string names = lockedNames(mechanism, wanted, result);
+  result.message = translated(
+      "State %1: the drive overruns its freewheels and drives nothing this way (locked they would turn as "
+      "shown: %2). Exchange the two links of one, or turn the drive the other way.",
+      {state.name, names});
+  return result;
+}
+
+Diagnostic freewheelDirection(const Mechanism& mechanism, const Coupling& freewheel, const Rational& slip) {
+  Diagnostic result;
+  result.code = Code::freewheelDirection;
+  result.elements = {freewheel.id, freewheel.links.front(), freewheel.links.back()};
+  result.message = translated(
+      "Freewheel %1 locks before link %2 turns faster than link %3, but the given speeds make it faster by "
+      "%4 "
+      "rad/s. Engage it, exchange its links, or turn the inputs the other way.",
+      {freewheel.id.text(), linkLabel(mechanism, freewheel.links.front()),
+       linkLabel(mechanism, freewheel.links.back()), slip.toString()});
+  return result;
+}
+
 Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling, const ShiftState* state) {
   Diagnostic result;
   if (state != nullptr) result = makeDiagnostic(*state, Code::turningLoop);

@@ -4,6 +4,7 @@
 
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/theory/states/state_solution.h"
 
 namespace geargraph::inline states {
 
@@ -20,10 +21,21 @@ namespace geargraph::inline states {
 [[nodiscard]] Diagnostic stateIdle(const Mechanism& mechanism, const ShiftState& state,
                                    const std::vector<int>& links);
 
+/// state-free, for freewheels of which more than one pattern of locked and free ones is possible, `found` one
+/// of them, and for those that would have to lock where they are not pushed: the drive overruns.
+[[nodiscard]] Diagnostic freewheelsOpen(const Mechanism& mechanism, const ShiftState& state,
+                                        const std::vector<StateSolution::Freewheel>& found);
+[[nodiscard]] Diagnostic freewheelsOverrun(const Mechanism& mechanism, const ShiftState& state,
+                                           const std::vector<StateSolution::Freewheel>& wanted);
+
 /// turning-loop: the coupling connects links across four directions of axes or more. `state`: in which it is
 /// engaged; null: in the document's current engagement.
 [[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
                                          const ShiftState* state);
+
+/// freewheel-direction: the first link would turn faster than the second by `slip`, rad/s.
+[[nodiscard]] Diagnostic freewheelDirection(const Mechanism& mechanism, const Coupling& freewheel,
+                                            const Rational& slip);
 
 /// turning-loop: the links of the clutch do not turn about one line against each other.
 [[nodiscard]] Diagnostic clutchAxes(const Mechanism& mechanism, const Coupling& clutch);

@@ -54,10 +54,16 @@ class EngagementEdit {
     std::optional<FirstInput> first;
     if (state >= 0) {
       const auto solution = solveState(after, *m_train, m_placement, state, false);
+      for (const StateSolution::Freewheel& each : solution->freewheels) {
+        if (each.isLocked) after.engaged.push_back(after.couplings[each.coupling].id);
+      }
+      if (!solution->freewheels.empty())
+        engagement = engagementOf(after, m_placement, engagedCouplings(after));
       first = firstInputOf(after, m_placement, *solution);
     }
     if (!first && !after.inputs) return after;
     KinematicModel model = *m_train;
+    if (!engagement.diagnostics.empty()) return engagement.diagnostics;
     model.hold(std::move(engagement.rows));
     if (auto inputs = inputsOf(model, first)) after.inputs = std::move(inputs);
     return after;

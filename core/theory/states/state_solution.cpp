@@ -34,33 +34,150 @@ class StateSolver {
     for (const CouplingId id : state.engaged) result.engaged.push_back(m_couplingAt.at(id));
     std::sort(result.engaged.begin(), result.engaged.end());
     result.engaged.erase(std::unique(result.engaged.begin(), result.engaged.end()), result.engaged.end());
+    const std::vector<int> freewheels = freewheelsOf();
+    if (freewheels.empty() || !state.drive || !state.driven) return solvedAsEngaged(std::move(result));
+    return solvedByPatterns(state, std::move(result), freewheels);
+  }
 
+ private:
+  [[nodiscard]] std::vector<int> freewheelsOf() const {
+    std::vector<int> found;
+    for (CouplingOrdinal coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size());
+         ++coupling) {
+      if (m_mechanism.couplings[coupling].kind == CouplingKind::freewheel) found.push_back(coupling);
+    }
+    return found;
+  }
+
+  /// How much faster the first link of a freewheel turns than the second (freewheelSense()); none where that
+  /// has no sense.
+  [[nodiscard]] std::optional<RelativeSpeed::Part> slipOf(CouplingOrdinal coupling) const {
+    const int sense = freewheelSense(m_mechanism, m_placement, coupling);
+    if (sense == 0) return std::nullopt;
+    const KinematicModel::HeldRow row = heldRows(m_mechanism, m_placement, coupling).front();
+    RelativeSpeed::Part slip{row.axisClass, {}};
+    for (const KinematicModel::HeldRow::Term& term : row.links)
+      slip.terms.push_back({term.of, sense * term.factor});
+    return slip;
+  }
+
+  [[nodiscard]] static Rational speedOf(const RelativeSpeed::Part& part, const std::vector<Rational>& phi) {
+    return valueOf(RationalField(), part, phi);
+  }
+
+  enum class Push { forward, none, backward };
+  /// Which way the drive would turn if the freewheel slipped against its locking with `driven` held; `none`
+  /// also where that is not determined.
+  [[nodiscard]] Push pushOn(const ShiftState& state, std::vector<int> engaged, CouplingOrdinal freewheel,
+                            const RelativeSpeed::Part& slip) const {
+    std::erase(engaged, freewheel);
+    StateSystem system = systemOf(state, engaged);
+    if (!system.drive) return Push::none;
+    const RelativeSpeed::Part drive = *std::move(system.drive);
+    system.drive = slip;
+    for (const RelativeSpeed::Part& part :
+         RelativeSpeed::between(m_placement, 0, m_linkAt.at(*state.driven)).parts) {
+      KinematicModel::HeldRow& row = system.held.emplace_back();
+      for (const RelativeSpeed::Term& term : part.terms) row.links.push_back({term.link, term.factor});
+    }
+    const auto solved = eliminated(system, m_model, m_stop);
+    std::vector<Rational> phi;
+    if (!solved || !driveIsFree(*solved, phi)) return Push::none;
+    if (!solved->freeColumns.empty() && !speedOf(drive, freeMotion(*solved)).isZero()) return Push::none;
+    const int sign = speedOf(drive, phi).sign() * senseOf(state);
+    return sign > 0 ? Push::forward : sign < 0 ? Push::backward : Push::none;
+  }
+  [[nodiscard]] static int senseOf(const ShiftState& state) {
+    return state.direction && state.direction->exact().sign() < 0 ? -1 : 1;
+  }
+
+  /// The state with each pattern of locked freewheels; the first that counts. Where none does, that of what
+  /// would have to lock, or all free.
+  std::optional<StateSolution> solvedByPatterns(const ShiftState& state, const StateSolution& start,
+                                                const std::vector<int>& freewheels) {
+    std::vector<std::optional<RelativeSpeed::Part>> slips;
+    for (const CouplingOrdinal each : freewheels) slips.push_back(slipOf(each));
+    const bool isDecided =
+        static_cast<int>(freewheels.size()) <= kMaxFreewheels &&
+        std::all_of(slips.begin(), slips.end(), [](const auto& slip) { return slip.has_value(); });
+    std::optional<StateSolution> found;   // the first that counts,
+    std::optional<StateSolution> weak;    // where a locked one bears nothing,
+    std::optional<StateSolution> forced;  // where none counts: the pattern that the free ones ask for
+    std::uint32_t asked = 0;
+    int counting = 0;
+    const std::uint32_t patterns = isDecided ? 1U << freewheels.size() : 1;
+    for (std::uint32_t pattern = 0; pattern < patterns; ++pattern) {
+      StateSolution next = start;
+      for (std::size_t k = 0; k < freewheels.size(); ++k) {
+        const bool isLocked = (pattern >> k & 1U) != 0;
+        next.freewheels.push_back({freewheels[k], isLocked});
+        if (isLocked) next.engaged.push_back(freewheels[k]);
+      }
+      std::sort(next.engaged.begin(), next.engaged.end());
+      m_phi.clear();
+      auto tried = solvedAsEngaged(std::move(next));
+      if (!tried) return std::nullopt;
+      std::uint32_t overrun = 0;  // free ones that turn the way they may not
+      bool isPushed = true, isPushedHard = true;
+      if (tried->isSolved()) {
+        for (std::size_t k = 0; isDecided && k < freewheels.size(); ++k) {
+          if ((pattern >> k & 1U) == 0) {
+            if (speedOf(*slips[k], m_phi).sign() * senseOf(state) > 0) overrun |= 1U << k;
+            continue;
+          }
+          const Push push = pushOn(state, tried->engaged, freewheels[k], *slips[k]);
+          isPushed = isPushed && push != Push::backward;
+          isPushedHard = isPushedHard && push == Push::forward;
+        }
+      }
+      const bool counts = tried->isSolved() && overrun == 0;
+      if (counts && isPushedHard) {
+        if (++counting == 1) found = tried;
+      } else if (counts && isPushed && !weak) {
+        weak = tried;
+      }
+      if (pattern == asked) {
+        forced = std::move(tried);
+        if ((asked | overrun) != asked) asked |= overrun;  // comes later: it is a larger number
+      }
+    }
+    if (counting > 1) found->diagnostics.push_back(freewheelsOpen(m_mechanism, state, found->freewheels));
+    if (found) return found;
+    if (weak) return weak;
+    if (forced && !isDecided) forced->freewheels.clear();
+    if (forced && forced->isSolved())  // its freewheels are locked against their push: the drive overruns
+      forced->diagnostics.push_back(freewheelsOverrun(m_mechanism, state, forced->freewheels));
+    return forced;
+  }
+
+  /// With the couplings that the result names. Nothing where `stop` was requested.
+  std::optional<StateSolution> solvedAsEngaged(StateSolution result) {
+    const ShiftState& state = m_mechanism.states[static_cast<std::size_t>(result.state)];
     result.diagnostics = engagementOf(m_mechanism, m_placement, result.engaged, &state).diagnostics;
     if (!result.diagnostics.empty()) return result;
 
     const StateSystem system = systemOf(state, result.engaged);
-    const auto solved = eliminated(system, m_model, m_stop);
-    if (!solved) return std::nullopt;
-    std::vector<Rational> phi;
-    result.driveTurns = driveIsFree(*solved, phi);
-    result.rank = solved->rank() - (result.driveTurns ? 1 : 0);
+    const auto solution = eliminated(system, m_model, m_stop);
+    if (!solution) return std::nullopt;
+    std::vector<Rational>& phi = m_phi;
+    result.driveTurns = driveIsFree(*solution, phi);
+    result.rank = solution->rank() - (result.driveTurns ? 1 : 0);
     result.dof = m_model.n() - result.rank;
     if (state.drive && !result.driveTurns) result.diagnostics.push_back(locked(state, result.engaged));
     bool isDetermined = result.dof == 1;
     if (result.dof > 1) {
-      const std::vector<Rational> idle = freeMotion(*solved);
+      const std::vector<Rational> idle = freeMotion(*solution);
       isDetermined = result.driveTurns && state.driven && !turns(m_linkAt.at(*state.driven), idle);
       const std::vector<int> links = turningLinks(idle);
       result.diagnostics.push_back(isDetermined ? stateIdle(m_mechanism, state, links)
                                                 : stateFree(m_mechanism, state, result.dof, links));
       if (isDetermined) result.idleRates = ratesOf(idle);
     }
-    if (isDetermined && result.driveTurns) fillSpeeds(state, system, *solved, phi, result);
+    if (isDetermined && result.driveTurns) fillSpeeds(state, system, *solution, phi, result);
     if (m_stop.stop_requested()) return std::nullopt;
     return result;
   }
 
- private:
   [[nodiscard]] int ownClass(LinkOrdinal link) const { return m_placement.classes->classOfLink(link); }
   /// +1 where the axis of the link's own joint points as the line of the class does.
   [[nodiscard]] int ownOrientationSign(LinkOrdinal link) const {
@@ -225,6 +342,7 @@ class StateSolver {
   std::stop_token m_stop;
   PositionIndex<LinkTag> m_linkAt;
   PositionIndex<CouplingTag> m_couplingAt;
+  std::vector<Rational> m_phi;  ///< of the last solvedAsEngaged() for the drive at 1
 };
 
 }  // namespace

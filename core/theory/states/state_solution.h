@@ -11,6 +11,9 @@
 
 namespace geargraph::inline states {
 
+/// With more freewheels than this states are solved with all of them free, and say so.
+constexpr int kMaxFreewheels = 12;
+
 /// What a mechanism does with some couplings engaged: the rows of the meshes and of the couplings together,
 /// solved in fractions. An engaged brake holds its link against the ground, w = 0; an engaged clutch makes
 /// two links turn as one, w_a - w_b = 0. Both are vectors: where the axes between the two links are not
@@ -19,8 +22,18 @@ namespace geargraph::inline states {
 /// Identity  dof = n - rank; 1 is what a gear of a gearbox has. With more it has a ratio if the others are
 /// those of links that idle.
 struct StateSolution {
-  int state = 0;             ///< position in the document
-  std::vector<int> engaged;  ///< couplings by position, each once, in the document's order of couplings
+  int state = 0;  ///< position in the document
+  /// Couplings by position, each once, in the document's order of couplings; with the freewheels that lock.
+  std::vector<int> engaged;
+  struct Freewheel {
+    CouplingOrdinal coupling = 0;
+    bool isLocked = false;
+  };
+  /// What each freewheel of the document does while the drive turns the way the state says. Of all patterns
+  /// of locked and free ones that counts in which every free one turns the way it may, w_0 <= w_1, and every
+  /// locked one is pushed the way it holds: with it released, `driven` held and w_0 - w_1 = 1, the drive
+  /// would turn forward (virtual work). Empty without a drive and a driven link, where none is decided.
+  std::vector<Freewheel> freewheels;
   int rank = 0;              ///< of the rows of meshes and engaged couplings
   int dof = 0;
 
@@ -38,7 +51,7 @@ struct StateSolution {
   std::optional<Rational> ratio;
   /// The same in the gear ratios i_k; none also where it exceeded the budget.
   std::optional<RationalFunction> symbolicRatio;
-  /// state-locked, state-free, state-idle; turning-loop for a coupling that closes a linkage (then nothing is
+  /// state-locked, state-free (also where no pattern of freewheels counts, or more than one), state-idle; turning-loop for a coupling that closes a linkage (then nothing is
   /// solved).
   Diagnostics diagnostics;
 
@@ -51,7 +64,7 @@ struct StateSolution {
 
 /// Every state of the document, in its order. std::nullopt if `stop` was requested.
 /// Cost: an exact elimination of the whole train for each state, near linear in n + c; `symbolic` another.
-/// @pre model and placement are the mechanism's
+/// With m freewheels up to 2^m eliminations more. @pre model and placement are the mechanism's
 [[nodiscard]] std::optional<std::vector<StateSolution>> solveStates(const Mechanism& mechanism,
                                                                     const KinematicModel& model,
                                                                     const Placement& placement,

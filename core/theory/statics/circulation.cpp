@@ -195,7 +195,7 @@ class Finder {
     const PositionIndex<LinkTag> links(m_mechanism.links);
     for (const int position : m_problem.engaged) {
       const Coupling& coupling = m_mechanism.couplings[position];
-      if (coupling.kind == CouplingKind::clutch)
+      if (coupling.kind != CouplingKind::brake)
         m_shafts.unite(links.at(coupling.links.front()), links.at(coupling.links.back()));
     }
   }

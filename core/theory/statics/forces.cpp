@@ -22,6 +22,21 @@ Vector3 towardsSmaller(const Placement& placement, const MeshGeometry& mesh) {
   return dot(across, towards) < 0 ? -1.0 * across : across;
 }
 
+/// The strand of a belt that is tight: that of the row, or its mirror image in the plane of both axes, which
+/// has the same moments about them for the opposite force. `force.tangential` is set.
+void pullAlongStrand(const Placement& placement, const MeshGeometry& mesh, ToothForce& force) {
+  const Vector3& axis = placement.lineOfClass(mesh.tailClass).direction;
+  const Vector3 apart = mesh.tailToHead - dot(mesh.tailToHead, axis) * axis;
+  const Vector3 side = unit(cross(axis, apart));
+  force.direction = side;
+  force.force = force.tangential * mesh.normal;
+  const bool pushes = dot(force.force, apart) > 0;
+  if (!pushes || !pairKind(mesh.kind).canCross) return;
+  const auto mirrored = [&](const Vector3& v) { return v - 2 * dot(v, side) * side; };
+  force.force = -force.tangential * mirrored(mesh.normal);
+  force.point = mesh.pitchPoint - 2 * dot(mesh.tailToPitch, side) * side;
+}
+
 /// Without the components that are no more than the rounding of the sums they come from: -2e-15 N m beside 5.
 Vector3 withoutRounding(Vector3 vector) {
   constexpr double kRounding = 1e-13;
@@ -85,8 +100,8 @@ class ForceSum {
     for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) {
       const auto at = static_cast<std::size_t>(mesh);
       const MeshGeometry& geometry = *m_placement.meshes[at];
-      m_wrenches.addForce(geometry.head, forces[at].force, geometry.pitchPoint);
-      m_wrenches.addForce(geometry.tail, -1.0 * forces[at].force, geometry.pitchPoint);
+      m_wrenches.addForce(geometry.head, forces[at].force, forces[at].point);
+      m_wrenches.addForce(geometry.tail, -1.0 * forces[at].force, forces[at].point);
       if (m_determined[at] == 0) mark(geometry.tail, geometry.head);
       if (losses.empty() || losses[at].driver == MeshLoss::Driver::none) continue;
       const bool tailDrives = losses[at].driver == MeshLoss::Driver::tail;
@@ -210,6 +225,12 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
     const MeshGeometry& geometry = *placement.meshes[at];
     ToothForce& force = forces.emplace_back();
     force.tangential = values[at] * geometry.tailTeeth / (geometry.tailRadius * metres->toDouble());
+    force.isDetermined = determined[at] != 0;
+    force.point = geometry.pitchPoint;
+    if (!touches(geometry.kind)) {
+      pullAlongStrand(placement, geometry, force);
+      continue;
+    }
     force.separating = std::abs(force.tangential) * std::tan(pressureAngles[at]);
     const bool headIsSmaller = std::abs(geometry.headRadius) < std::abs(geometry.tailRadius);
     force.direction = (headIsSmaller ? 1.0 : -1.0) * towardsSmaller(placement, geometry);
@@ -221,7 +242,6 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
       force.axialDirection = (along < 0 ? -1.0 : 1.0) * axis;
       force.force = force.force + along * axis;
     }
-    force.isDetermined = determined[at] != 0;
   }
   return forces;
 }

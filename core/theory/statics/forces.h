@@ -19,6 +19,7 @@ struct ToothForce {
   double axial = 0;
   Vector3 axialDirection{};
   Vector3 force{};  ///< their sum, N, base frame
+  Vector3 point{};  ///< where it acts: the pitch point; of a belt the middle of the strand that pulls
   bool isDetermined = true;
 };
 
@@ -34,6 +35,9 @@ struct ToothForce {
 ///
 /// a_c is along the axes, such that the force stands across helical teeth: a right-hand gear that drives is
 /// pushed the way of its angular velocity. It does no work.
+///
+/// Wheels that do not touch have no separating force. Of a belt that can only pull the strand on the other
+/// side of the line of centres takes what would push: the tight strand alone, without pretension, F = M / r.
 ///
 /// `pressureAngles`, `helixAngles` by mesh: alpha_w, and beta_w of the tail's gear (MeshContact), at which
 /// the pair works, rad; no helix angles: all teeth are straight. Empty where the unit of length is not known.

@@ -18,12 +18,14 @@ std::optional<int> asThePointSays(int /*sense*/) {
 constexpr TerminalRule kExternalTerminals{againstEachOther};
 constexpr TerminalRule kInternalTerminals{theSameWay};
 constexpr TerminalRule kBevelTerminals{asThePointSays};
+constexpr TerminalRule kOpenStrandTerminals{theSameWay};
+constexpr TerminalRule kPinTerminals{theSameWay};
 
 }  // namespace
 
 KindTable<MeshKind, TerminalRule>& terminalRules() {
-  static constinit KindTable<MeshKind, TerminalRule> table(&kExternalTerminals, &kInternalTerminals,
-                                                           &kBevelTerminals);
+  static constinit KindTable<MeshKind, TerminalRule> table(
+      &kExternalTerminals, &kInternalTerminals, &kBevelTerminals, &kOpenStrandTerminals, &kPinTerminals);
   return table;
 }
 

@@ -112,6 +112,7 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
     if (!sign) {  // the kind alone does not tell, so the place of the pitch point has to
       sign = signFromPlaces(pose, lines.placesOf(mesh));
     }
+    if (sign && pair.crossed) sign = -*sign;  // a strand that crosses over turns the other pulley back
     if (!sign) {
       m_unsigned.push_back(mesh);
       m_complete = false;

@@ -110,7 +110,7 @@ struct BrokenDocument {
       {"input twice", "{\"joint\": 4, \"speed\": \"1/3\"}",
        "{\"joint\": 4, \"speed\": 1}, {\"joint\": \"4\", \"speed\": 2}",
        "duplicate-id /inputs/1/joint [turningJoints:4]"},
-      {"state name twice", "\"driven\": \"arm\"}", "\"driven\": \"arm\"}, {\"name\": \"1\", \"engaged\": []}",
+      {"state name twice", "\"direction\": -1}", "\"direction\": -1}, {\"name\": \"1\", \"engaged\": []}",
        "duplicate-id /states/1/name [states:1]"},
 
       {"engaged without such a coupling", "[\"C\"]", "[\"C\", \"D\"]", "unknown-id /engaged/1 [couplings:D]"},

@@ -136,6 +136,7 @@ class TestSchema : public QObject {
                                               "note of blanks",
                                               "note with a control character",
                                               "member twice in an unknown one",
+                                              "pressure angle of 90 degrees",
                                               "wheel of another link"};
     std::set<std::string> passed;
     int rejected = 0;
