@@ -56,8 +56,8 @@ struct PairKind {
   /// Its wheels touch in a pitch point, which with the axes makes their radii. False: their sense does not
   /// depend on where the axes are, and their distance is free (belts, pins).
   bool touches = true;
-  bool hasTeeth = true;     ///< false: it turns 1 : 1, and documents leave its teeth out
-  bool canCross = false;    ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
+  bool hasTeeth = true;   ///< false: it turns 1 : 1, and documents leave its teeth out
+  bool canCross = false;  ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
   /// The centre distance of pitch radii. Unused where axes intersect.
   double (*distance)(double tailRadius, double headRadius) = nullptr;
   /// The same for teeth of one wheel, by those of its partner; `isLarger`: it has more teeth.

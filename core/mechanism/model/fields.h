@@ -341,13 +341,12 @@ struct Description<GearMesh> {
              .measure = Measure::length,
              .range = NumberRange::positive,
              .since = 2}),
-      field(&GearMesh::headDiameter,
-            {.name = "headDiameter",
-             .value = MemberValue::number,
-             .meaning = "the same of the second pulley",
-             .measure = Measure::length,
-             .range = NumberRange::positive,
-             .since = 2}));
+      field(&GearMesh::headDiameter, {.name = "headDiameter",
+                                      .value = MemberValue::number,
+                                      .meaning = "the same of the second pulley",
+                                      .measure = Measure::length,
+                                      .range = NumberRange::positive,
+                                      .since = 2}));
 };
 
 template <>

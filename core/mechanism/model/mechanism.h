@@ -107,8 +107,8 @@ struct GearMesh {
   bool herringbone = false;       ///< the two halves of the face have opposite hands, `hand` the lower one
   std::optional<Number> module = {};         ///< normal module; none: from the centre distance
   std::optional<Number> pressureAngle = {};  ///< normal, degrees; none: that of GearDefaults
-  bool crossed = false;                 ///< of a belt: its strands cross between the pulleys
-  std::optional<Number> pitch = {};     ///< of a belt: length of a tooth
+  bool crossed = false;                      ///< of a belt: its strands cross between the pulleys
+  std::optional<Number> pitch = {};          ///< of a belt: length of a tooth
   /// Running diameters of a belt's pulleys, instead of teeth: both or none. tailTeeth : headTeeth is then
   /// their ratio in lowest terms (settleWeights()).
   std::optional<Number> tailDiameter = {};

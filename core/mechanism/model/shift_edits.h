@@ -32,7 +32,8 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withoutState(Mechanism mechanism, int state);
 /// Rejects duplicate-id and the empty name.
 [[nodiscard]] Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::string& name);
-/// Engages or releases a coupling in a state. Rejects a freewheel that is to be engaged, which no state names. Engaged ones are in the order of the document's couplings.
+/// Engages or releases a coupling in a state. Rejects a freewheel that is to be engaged, which no state
+/// names. Engaged ones are in the order of the document's couplings.
 [[nodiscard]] Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling,
                                               bool engaged);
 /// Sets the links whose speeds define the ratio, of one state; of all with `state` -1.
@@ -46,8 +47,9 @@ namespace geargraph::inline model {
 
 /// Is this brake or clutch engaged in the document?
 [[nodiscard]] bool isEngaged(const Mechanism& mechanism, CouplingId coupling);
-/// Are exactly the couplings of this state engaged in the document, whatever freewheels do? True for all states with the same
-/// couplings, which differ in their drive; false if nothing is engaged. @pre there is such a state
+/// Are exactly the couplings of this state engaged in the document, whatever freewheels do? True for all
+/// states with the same couplings, which differ in their drive; false if nothing is engaged. @pre there is
+/// such a state
 [[nodiscard]] bool isEngaged(const Mechanism& mechanism, int state);
 /// The position of the engaged state; among several with the same couplings the one whose drive is at the
 /// first input; -1 for none.

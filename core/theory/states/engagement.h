@@ -22,14 +22,14 @@ namespace geargraph::inline states {
                                                             const Placement& placement,
                                                             CouplingOrdinal coupling);
 
-/// +1 or -1, with which the equation of heldRows() is how much faster the first link of a freewheel turns than
-/// the second, in +direction of the axis of the first one's own joint (of the second one's, if the first is
-/// the ground): more than 0 is the sense in which it locks. 0 where they do not turn about one direction.
+/// +1 or -1, with which the equation of heldRows() is how much faster the first link of a freewheel turns
+/// than the second, in +direction of the axis of the first one's own joint (of the second one's, if the first
+/// is the ground): more than 0 is the sense in which it locks. 0 where they do not turn about one direction.
 [[nodiscard]] int freewheelSense(const Mechanism& mechanism, const Placement& placement,
                                  CouplingOrdinal freewheel);
 
-/// freewheel-direction for each freewheel that is not engaged and that these rates of the joints would turn in
-/// the sense in which it locks. @pre as heldRows()
+/// freewheel-direction for each freewheel that is not engaged and that these rates of the joints would turn
+/// in the sense in which it locks. @pre as heldRows()
 [[nodiscard]] Diagnostics freewheelDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                                const ByJoint<Rational>& rates);
 

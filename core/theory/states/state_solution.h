@@ -34,7 +34,7 @@ struct StateSolution {
   /// locked one is pushed the way it holds: with it released, `driven` held and w_0 - w_1 = 1, the drive
   /// would turn forward (virtual work). Empty without a drive and a driven link, where none is decided.
   std::vector<Freewheel> freewheels;
-  int rank = 0;              ///< of the rows of meshes and engaged couplings
+  int rank = 0;  ///< of the rows of meshes and engaged couplings
   int dof = 0;
 
   bool driveTurns = false;      ///< false also where nothing is driven
@@ -51,8 +51,8 @@ struct StateSolution {
   std::optional<Rational> ratio;
   /// The same in the gear ratios i_k; none also where it exceeded the budget.
   std::optional<RationalFunction> symbolicRatio;
-  /// state-locked, state-free (also where no pattern of freewheels counts, or more than one), state-idle; turning-loop for a coupling that closes a linkage (then nothing is
-  /// solved).
+  /// state-locked, state-free (also where no pattern of freewheels counts, or more than one), state-idle;
+  /// turning-loop for a coupling that closes a linkage (then nothing is solved).
   Diagnostics diagnostics;
 
   [[nodiscard]] bool isSolved() const { return !rates.empty(); }

@@ -49,6 +49,7 @@ const std::vector<Promise>& promises() {
       {"ravigneaux", 2, 0, {{9, Rational(5, 12)}, {8, Rational(-5, 6)}}},
       {"simpson", 2, 0, {{9, Rational(75, 183)}, {7, Rational(-75, 33) * Rational(75, 183)}}},
       {"eight-speed-gearbox", 4, 0, {{17, Rational(3, 2)}, {20, Rational(23, 108)}}},
+      {"prius-power-split", 3, 0, {{10, 204}, {13, Rational(-1740, 11)}, {18, Rational(15552, 847)}}},
       {"locked-train", 0, 0, {{4, 0}, {5, 0}, {6, 0}}, {Code::locked}},
       {"bevel-wrist", 3, 0, {{9, Rational(2, 3)}, {11, 0}, {12, Rational(-8, 9)}}},
       {"helical-reverted-train", 1, 0, {{5, Rational(-1, 6)}, {6, Rational(1, 18)}}},
