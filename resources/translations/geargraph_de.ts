@@ -18180,144 +18180,6 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>Meshes %1 and %2 give gear %3 different modules. What fits: one module for both, or two wheels with names of their own.</source>
         <translation>Die Zahneingriffe %1 und %2 geben dem Rad %3 verschiedene Module. Passend: ein Modul für beide oder zwei Räder mit eigenen Namen.</translation>
-        <source>belt</source>
-        <translation>Riemen</translation>
-    </message>
-    <message>
-        <source>pins</source>
-        <translation>Bolzen</translation>
-    </message>
-    <message>
-        <source>Make %1 a belt</source>
-        <translation>%1 zu einem Riemen machen</translation>
-    </message>
-    <message>
-        <source>Make %1 a pair of pins and holes</source>
-        <translation>%1 zu Bolzen in Löchern machen</translation>
-    </message>
-    <message>
-        <source>freewheel %1</source>
-        <translation>Freilauf %1</translation>
-    </message>
-    <message>
-        <source>&quot;brake&quot;, &quot;clutch&quot; or &quot;freewheel&quot;</source>
-        <translation>„brake“, „clutch“ oder „freewheel“</translation>
-    </message>
-    <message>
-        <source>Only a belt is crossed, or has a pitch or running diameters; mesh &quot;%1&quot; is none.</source>
-        <translation>Nur ein Riemen ist gekreuzt oder hat eine Teilung oder Laufdurchmesser; Eingriff „%1“ ist keiner.</translation>
-    </message>
-    <message>
-        <source>Mesh &quot;%1&quot; has no teeth that slide: state its `efficiency`, not a `friction`.</source>
-        <translation>Eingriff „%1“ hat keine gleitenden Zähne: `efficiency` angeben, keine `friction`.</translation>
-    </message>
-    <message>
-        <source>Mesh &quot;%1&quot; is a belt or pins, which have no pitch point: leave it out.</source>
-        <translation>Eingriff „%1“ ist ein Riemen oder besteht aus Bolzen, die keinen Wälzpunkt haben: ihn weglassen.</translation>
-    </message>
-    <message>
-        <source>Pitch and running diameters of belt &quot;%1&quot; are above 0.</source>
-        <translation>Teilung und Laufdurchmesser des Riemens „%1“ sind größer als 0.</translation>
-    </message>
-    <message>
-        <source>Belt &quot;%1&quot; has teeth at both ends, or running diameters at both.</source>
-        <translation>Riemen „%1“ hat an beiden Enden Zähne oder an beiden Laufdurchmesser.</translation>
-    </message>
-    <message>
-        <source>The running diameters of belt &quot;%1&quot; are in the ratio of two whole numbers up to 100,000: give them with fewer digits.</source>
-        <translation>Die Laufdurchmesser des Riemens „%1“ stehen im Verhältnis zweier ganzer Zahlen bis 100.000: sie mit weniger Stellen angeben.</translation>
-    </message>
-    <message>
-        <source>Pins turn 1 : 1 and belts with running diameters in their ratio; mesh &quot;%1&quot; states other teeth: leave them out.</source>
-        <translation>Bolzen drehen 1 : 1 und Riemen mit Laufdurchmessern in deren Verhältnis; Eingriff „%1“ nennt andere Zähnezahlen: sie weglassen.</translation>
-    </message>
-    <message>
-        <source>A freewheel names two links.</source>
-        <translation>Ein Freilauf nennt zwei Glieder.</translation>
-    </message>
-    <message>
-        <source>Freewheel &quot;%1&quot; ties link &quot;%2&quot; to itself.</source>
-        <translation>Freilauf „%1“ verbindet Glied „%2“ mit sich selbst.</translation>
-    </message>
-    <message>
-        <source>State &quot;%1&quot; engages freewheel &quot;%2&quot;, which locks by itself: leave it out.</source>
-        <translation>Zustand „%1“ schaltet Freilauf „%2“, der von selbst sperrt: ihn weglassen.</translation>
-    </message>
-    <message>
-        <source>The direction of a state is 1 or -1.</source>
-        <translation>Die Richtung eines Zustands ist 1 oder -1.</translation>
-    </message>
-    <message>
-        <source>A freewheel needs two different links.</source>
-        <translation>Ein Freilauf braucht zwei verschiedene Glieder.</translation>
-    </message>
-    <message>
-        <source>A belt and pins have no module: state a pitch or running diameters.</source>
-        <translation>Riemen und Bolzen haben keinen Modul: eine Teilung oder Laufdurchmesser angeben.</translation>
-    </message>
-    <message>
-        <source>it says %1, but its axes are skew. What fits: parallel axes.</source>
-        <translation>angegeben ist %1, aber seine Achsen sind windschief. Es passen: parallele Achsen.</translation>
-    </message>
-    <message>
-        <source>it says %1, but its axes meet. What fits: bevel, or parallel axes.</source>
-        <translation>angegeben ist %1, aber seine Achsen schneiden sich. Es passen: Kegelräder oder parallele Achsen.</translation>
-    </message>
-    <message>
-        <source>its pulleys overlap: the running radii %1 and %2 need more than the %3 between the axes. What fits: smaller ones, or axes farther apart.</source>
-        <translation>seine Scheiben überschneiden sich: die Laufradien %1 und %2 brauchen mehr als die %3 zwischen den Achsen. Es passen: kleinere, oder Achsen mit größerem Abstand.</translation>
-    </message>
-    <message>
-        <source>State %1: more than one pattern of locked and free freewheels is possible; shown is the one with these locked: %2.</source>
-        <translation>Zustand %1: mehr als ein Muster gesperrter und freier Freiläufe ist möglich; gezeigt ist das mit diesen gesperrten: %2.</translation>
-    </message>
-    <message>
-        <source>State %1: the drive overruns its freewheels and drives nothing this way (locked they would turn as shown: %2). Exchange the two links of one, or turn the drive the other way.</source>
-        <translation>Zustand %1: der Antrieb überholt seine Freiläufe und treibt so herum nichts an (gesperrt würden sie wie gezeigt drehen: %2). Die zwei Glieder eines Freilaufs tauschen oder den Antrieb anders herum drehen.</translation>
-    </message>
-    <message>
-        <source>Freewheel %1 locks before link %2 turns faster than link %3, but the given speeds make it faster by %4 rad/s. Engage it, exchange its links, or turn the inputs the other way.</source>
-        <translation>Freilauf %1 sperrt, bevor Glied %2 schneller dreht als Glied %3, aber die gegebenen Drehzahlen machen es um %4 rad/s schneller. Ihn schalten, seine Glieder tauschen oder die Eingänge anders herum drehen.</translation>
-    </message>
-    <message>
-        <source>The torque that the freewheel exerts on the first of its links while it is locked; the second one has the reaction.</source>
-        <translation>Das Moment, das der gesperrte Freilauf auf das erste seiner Glieder ausübt; das zweite hat die Reaktion.</translation>
-    </message>
-    <message>
-        <source>Freewheel %1</source>
-        <translation>Freilauf %1</translation>
-    </message>
-    <message>
-        <source>It locks where its first link would turn faster than its second.</source>
-        <translation>Er sperrt, wo sein erstes Glied schneller drehen würde als sein zweites.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a belt: its pulleys turn the same way, seen from their carrier, and against each other where it is crossed.</source>
-        <translation>Eingriff %1 ist ein Riemen: seine Scheiben drehen, vom Steg aus gesehen, gleichsinnig, und gegensinnig, wo er gekreuzt ist.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a belt: its pulleys turn the same way, seen from the carrier, and opposite ways where it is crossed.</source>
-        <translation>Eingriff %1 ist ein Riemen: seine Scheiben drehen, vom Steg aus gesehen, gleich herum, und entgegengesetzt, wo er gekreuzt ist.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is an open belt: seen from the carrier, its pulleys turn the same way, so that f is %2.</source>
-        <translation>Eingriff %1 ist ein offener Riemen: vom Steg aus gesehen drehen seine Scheiben gleichsinnig, also ist f %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a crossed belt: seen from the carrier, its pulleys turn against each other, so that f is %2.</source>
-        <translation>Eingriff %1 ist ein gekreuzter Riemen: vom Steg aus gesehen drehen seine Scheiben gegensinnig, also ist f %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: seen from the carrier, both links turn alike, so that f is %2.</source>
-        <translation>Eingriff %1 sind Bolzen in Löchern: vom Steg aus gesehen drehen beide Glieder gleich, also ist f %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: both links turn alike, seen from their carrier.</source>
-        <translation>Eingriff %1 sind Bolzen in Löchern: beide Glieder drehen, von ihrem Steg aus gesehen, gleich.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: both links turn alike, seen from the carrier.</source>
-        <translation>Eingriff %1 sind Bolzen in Löchern: beide Glieder drehen, vom Steg aus gesehen, gleich.</translation>
     </message>
     <message>
         <source>belt</source>
@@ -18842,6 +18704,10 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both as JSON</source>
         <translation>welche Matrix es ist: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p oder solution (wird erkannt); einer Steuerung: motor-to-joint, joint-to-motor, oder coupling für beide als JSON</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number.</source>
+        <translation>%1 ist eine ganze Zahl.</translation>
     </message>
 </context>
 <context>

@@ -18180,144 +18180,6 @@ pares / portasatélites: %3</translation>
     <message>
         <source>Meshes %1 and %2 give gear %3 different modules. What fits: one module for both, or two wheels with names of their own.</source>
         <translation>Los engranes %1 y %2 dan a la rueda %3 módulos distintos. Lo que encaja: un módulo para ambos, o dos ruedas con nombres propios.</translation>
-        <source>belt</source>
-        <translation>correa</translation>
-    </message>
-    <message>
-        <source>pins</source>
-        <translation>pernos</translation>
-    </message>
-    <message>
-        <source>Make %1 a belt</source>
-        <translation>Convertir %1 en una correa</translation>
-    </message>
-    <message>
-        <source>Make %1 a pair of pins and holes</source>
-        <translation>Convertir %1 en pernos y agujeros</translation>
-    </message>
-    <message>
-        <source>freewheel %1</source>
-        <translation>rueda libre %1</translation>
-    </message>
-    <message>
-        <source>&quot;brake&quot;, &quot;clutch&quot; or &quot;freewheel&quot;</source>
-        <translation>&quot;brake&quot;, &quot;clutch&quot; o &quot;freewheel&quot;</translation>
-    </message>
-    <message>
-        <source>Only a belt is crossed, or has a pitch or running diameters; mesh &quot;%1&quot; is none.</source>
-        <translation>Solo una correa puede ser cruzada o tener paso o diámetros de rodadura; el engrane «%1» no lo es.</translation>
-    </message>
-    <message>
-        <source>Mesh &quot;%1&quot; has no teeth that slide: state its `efficiency`, not a `friction`.</source>
-        <translation>El engrane «%1» no tiene dientes que deslicen: indique su `efficiency`, no una `friction`.</translation>
-    </message>
-    <message>
-        <source>Mesh &quot;%1&quot; is a belt or pins, which have no pitch point: leave it out.</source>
-        <translation>El engrane «%1» es una correa o pernos, que no tienen punto primitivo: omítalo.</translation>
-    </message>
-    <message>
-        <source>Pitch and running diameters of belt &quot;%1&quot; are above 0.</source>
-        <translation>El paso y los diámetros de rodadura de la correa «%1» son mayores que 0.</translation>
-    </message>
-    <message>
-        <source>Belt &quot;%1&quot; has teeth at both ends, or running diameters at both.</source>
-        <translation>La correa «%1» tiene dientes en ambos extremos, o diámetros de rodadura en ambos.</translation>
-    </message>
-    <message>
-        <source>The running diameters of belt &quot;%1&quot; are in the ratio of two whole numbers up to 100,000: give them with fewer digits.</source>
-        <translation>Los diámetros de rodadura de la correa «%1» están en la razón de dos números enteros de hasta 100 000: indíquelos con menos cifras.</translation>
-    </message>
-    <message>
-        <source>Pins turn 1 : 1 and belts with running diameters in their ratio; mesh &quot;%1&quot; states other teeth: leave them out.</source>
-        <translation>Los pernos giran 1 : 1 y las correas con diámetros de rodadura en su razón; el engrane «%1» indica otros dientes: omítalos.</translation>
-    </message>
-    <message>
-        <source>A freewheel names two links.</source>
-        <translation>Una rueda libre nombra dos eslabones.</translation>
-    </message>
-    <message>
-        <source>Freewheel &quot;%1&quot; ties link &quot;%2&quot; to itself.</source>
-        <translation>La rueda libre «%1» une el eslabón «%2» consigo mismo.</translation>
-    </message>
-    <message>
-        <source>State &quot;%1&quot; engages freewheel &quot;%2&quot;, which locks by itself: leave it out.</source>
-        <translation>El estado «%1» acopla la rueda libre «%2», que se bloquea sola: omítala.</translation>
-    </message>
-    <message>
-        <source>The direction of a state is 1 or -1.</source>
-        <translation>El sentido de un estado es 1 o -1.</translation>
-    </message>
-    <message>
-        <source>A freewheel needs two different links.</source>
-        <translation>Una rueda libre necesita dos eslabones distintos.</translation>
-    </message>
-    <message>
-        <source>A belt and pins have no module: state a pitch or running diameters.</source>
-        <translation>Una correa y unos pernos no tienen módulo: indique un paso o diámetros de rodadura.</translation>
-    </message>
-    <message>
-        <source>it says %1, but its axes are skew. What fits: parallel axes.</source>
-        <translation>dice %1, pero sus ejes se cruzan sin cortarse. Lo que encaja: ejes paralelos.</translation>
-    </message>
-    <message>
-        <source>it says %1, but its axes meet. What fits: bevel, or parallel axes.</source>
-        <translation>dice %1, pero sus ejes se cortan. Lo que encaja: cónico, o ejes paralelos.</translation>
-    </message>
-    <message>
-        <source>its pulleys overlap: the running radii %1 and %2 need more than the %3 between the axes. What fits: smaller ones, or axes farther apart.</source>
-        <translation>sus poleas se solapan: los radios de rodadura %1 y %2 necesitan más que los %3 entre los ejes. Lo que encaja: más pequeños, o ejes más separados.</translation>
-    </message>
-    <message>
-        <source>State %1: more than one pattern of locked and free freewheels is possible; shown is the one with these locked: %2.</source>
-        <translation>Estado %1: es posible más de una combinación de ruedas libres bloqueadas y sueltas; se muestra aquella con estas bloqueadas: %2.</translation>
-    </message>
-    <message>
-        <source>State %1: the drive overruns its freewheels and drives nothing this way (locked they would turn as shown: %2). Exchange the two links of one, or turn the drive the other way.</source>
-        <translation>Estado %1: la entrada adelanta a sus ruedas libres y así no arrastra nada (bloqueadas girarían como se muestra: %2). Intercambie los dos eslabones de una, o gire la entrada al revés.</translation>
-    </message>
-    <message>
-        <source>Freewheel %1 locks before link %2 turns faster than link %3, but the given speeds make it faster by %4 rad/s. Engage it, exchange its links, or turn the inputs the other way.</source>
-        <translation>La rueda libre %1 se bloquea antes de que el eslabón %2 gire más rápido que el %3, pero las velocidades dadas lo hacen más rápido en %4 rad/s. Acóplela, intercambie sus eslabones o gire las entradas al revés.</translation>
-    </message>
-    <message>
-        <source>The torque that the freewheel exerts on the first of its links while it is locked; the second one has the reaction.</source>
-        <translation>El par que la rueda libre bloqueada ejerce sobre el primero de sus eslabones; el segundo tiene la reacción.</translation>
-    </message>
-    <message>
-        <source>Freewheel %1</source>
-        <translation>Rueda libre %1</translation>
-    </message>
-    <message>
-        <source>It locks where its first link would turn faster than its second.</source>
-        <translation>Se bloquea donde su primer eslabón giraría más rápido que el segundo.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a belt: its pulleys turn the same way, seen from their carrier, and against each other where it is crossed.</source>
-        <translation>El engrane %1 es una correa: sus poleas giran en el mismo sentido, vistas desde su portador, y en sentidos contrarios donde está cruzada.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a belt: its pulleys turn the same way, seen from the carrier, and opposite ways where it is crossed.</source>
-        <translation>El engrane %1 es una correa: sus poleas giran igual, vistas desde el portador, y al revés donde está cruzada.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is an open belt: seen from the carrier, its pulleys turn the same way, so that f is %2.</source>
-        <translation>El engrane %1 es una correa abierta: vistas desde el portador, sus poleas giran en el mismo sentido, de modo que f es %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a crossed belt: seen from the carrier, its pulleys turn against each other, so that f is %2.</source>
-        <translation>El engrane %1 es una correa cruzada: vistas desde el portador, sus poleas giran en sentidos contrarios, de modo que f es %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: seen from the carrier, both links turn alike, so that f is %2.</source>
-        <translation>El engrane %1 son pernos en agujeros: vistos desde el portador, ambos eslabones giran igual, de modo que f es %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: both links turn alike, seen from their carrier.</source>
-        <translation>El engrane %1 son pernos en agujeros: ambos eslabones giran igual, vistos desde su portador.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: both links turn alike, seen from the carrier.</source>
-        <translation>El engrane %1 son pernos en agujeros: ambos eslabones giran igual, vistos desde el portador.</translation>
     </message>
     <message>
         <source>belt</source>
@@ -18842,6 +18704,10 @@ pares / portasatélites: %3</translation>
     <message>
         <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both as JSON</source>
         <translation>qué matriz es: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p o solution (se reconoce); de un controlador: motor-to-joint, joint-to-motor, o coupling para ambas como JSON</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number.</source>
+        <translation>%1 es un número entero.</translation>
     </message>
 </context>
 <context>

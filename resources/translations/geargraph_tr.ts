@@ -18179,144 +18179,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>Meshes %1 and %2 give gear %3 different modules. What fits: one module for both, or two wheels with names of their own.</source>
         <translation>%1 ve %2 kavramaları %3 dişlisine farklı modüller veriyor. Uygun olan: ikisi için tek modül ya da kendi adları olan iki çark.</translation>
-        <source>belt</source>
-        <translation>kayış</translation>
-    </message>
-    <message>
-        <source>pins</source>
-        <translation>pimler</translation>
-    </message>
-    <message>
-        <source>Make %1 a belt</source>
-        <translation>%1 bağlantısını kayış yap</translation>
-    </message>
-    <message>
-        <source>Make %1 a pair of pins and holes</source>
-        <translation>%1 bağlantısını pim ve delik çifti yap</translation>
-    </message>
-    <message>
-        <source>freewheel %1</source>
-        <translation>tek yönlü kavrama %1</translation>
-    </message>
-    <message>
-        <source>&quot;brake&quot;, &quot;clutch&quot; or &quot;freewheel&quot;</source>
-        <translation>&quot;brake&quot;, &quot;clutch&quot; ya da &quot;freewheel&quot;</translation>
-    </message>
-    <message>
-        <source>Only a belt is crossed, or has a pitch or running diameters; mesh &quot;%1&quot; is none.</source>
-        <translation>Yalnızca bir kayış çapraz olabilir ya da adımı veya çalışma çapları olabilir; &quot;%1&quot; bağlantısı kayış değil.</translation>
-    </message>
-    <message>
-        <source>Mesh &quot;%1&quot; has no teeth that slide: state its `efficiency`, not a `friction`.</source>
-        <translation>&quot;%1&quot; bağlantısında kayan diş yok: `friction` değil `efficiency` verin.</translation>
-    </message>
-    <message>
-        <source>Mesh &quot;%1&quot; is a belt or pins, which have no pitch point: leave it out.</source>
-        <translation>&quot;%1&quot; bağlantısı kayış ya da pim; bunların yuvarlanma noktası yoktur: yazmayın.</translation>
-    </message>
-    <message>
-        <source>Pitch and running diameters of belt &quot;%1&quot; are above 0.</source>
-        <translation>&quot;%1&quot; kayışının adımı ve çalışma çapları 0&apos;dan büyüktür.</translation>
-    </message>
-    <message>
-        <source>Belt &quot;%1&quot; has teeth at both ends, or running diameters at both.</source>
-        <translation>&quot;%1&quot; kayışının iki ucunda da diş ya da iki ucunda da çalışma çapı olur.</translation>
-    </message>
-    <message>
-        <source>The running diameters of belt &quot;%1&quot; are in the ratio of two whole numbers up to 100,000: give them with fewer digits.</source>
-        <translation>&quot;%1&quot; kayışının çalışma çapları, 100.000&apos;e kadar iki tam sayının oranındadır: daha az basamakla verin.</translation>
-    </message>
-    <message>
-        <source>Pins turn 1 : 1 and belts with running diameters in their ratio; mesh &quot;%1&quot; states other teeth: leave them out.</source>
-        <translation>Pimler 1 : 1, çalışma çaplı kayışlar bu çapların oranında döner; &quot;%1&quot; bağlantısı başka diş sayıları veriyor: yazmayın.</translation>
-    </message>
-    <message>
-        <source>A freewheel names two links.</source>
-        <translation>Tek yönlü kavrama iki uzuv adlandırır.</translation>
-    </message>
-    <message>
-        <source>Freewheel &quot;%1&quot; ties link &quot;%2&quot; to itself.</source>
-        <translation>&quot;%1&quot; tek yönlü kavraması &quot;%2&quot; uzvunu kendisine bağlıyor.</translation>
-    </message>
-    <message>
-        <source>State &quot;%1&quot; engages freewheel &quot;%2&quot;, which locks by itself: leave it out.</source>
-        <translation>&quot;%1&quot; durumu, kendiliğinden kilitlenen &quot;%2&quot; tek yönlü kavramasını devreye alıyor: yazmayın.</translation>
-    </message>
-    <message>
-        <source>The direction of a state is 1 or -1.</source>
-        <translation>Bir durumun yönü 1 ya da -1&apos;dir.</translation>
-    </message>
-    <message>
-        <source>A freewheel needs two different links.</source>
-        <translation>Tek yönlü kavrama iki farklı uzuv ister.</translation>
-    </message>
-    <message>
-        <source>A belt and pins have no module: state a pitch or running diameters.</source>
-        <translation>Kayışın ve pimlerin modülü yoktur: adım ya da çalışma çapları verin.</translation>
-    </message>
-    <message>
-        <source>it says %1, but its axes are skew. What fits: parallel axes.</source>
-        <translation>%1 diyor, ama eksenleri aykırı. Uyan: paralel eksenler.</translation>
-    </message>
-    <message>
-        <source>it says %1, but its axes meet. What fits: bevel, or parallel axes.</source>
-        <translation>%1 diyor, ama eksenleri kesişiyor. Uyan: konik ya da paralel eksenler.</translation>
-    </message>
-    <message>
-        <source>its pulleys overlap: the running radii %1 and %2 need more than the %3 between the axes. What fits: smaller ones, or axes farther apart.</source>
-        <translation>kasnakları çakışıyor: %1 ve %2 çalışma yarıçapları, eksenler arasındaki %3 mesafeden fazlasını ister. Uyan: daha küçükleri ya da daha uzak eksenler.</translation>
-    </message>
-    <message>
-        <source>State %1: more than one pattern of locked and free freewheels is possible; shown is the one with these locked: %2.</source>
-        <translation>Durum %1: kilitli ve serbest tek yönlü kavramaların birden çok düzeni mümkün; gösterilende kilitli olanlar: %2.</translation>
-    </message>
-    <message>
-        <source>State %1: the drive overruns its freewheels and drives nothing this way (locked they would turn as shown: %2). Exchange the two links of one, or turn the drive the other way.</source>
-        <translation>Durum %1: giriş tek yönlü kavramalarını aşıyor ve bu yönde hiçbir şeyi sürmüyor (kilitliyken gösterildiği gibi dönerlerdi: %2). Birinin iki uzvunu değiştirin ya da girişi ters yöne döndürün.</translation>
-    </message>
-    <message>
-        <source>Freewheel %1 locks before link %2 turns faster than link %3, but the given speeds make it faster by %4 rad/s. Engage it, exchange its links, or turn the inputs the other way.</source>
-        <translation>%1 tek yönlü kavraması, %2 uzvu %3 uzvundan hızlı dönmeden kilitlenir; oysa verilen hızlar onu %4 rad/s daha hızlı yapıyor. Devreye alın, uzuvlarını değiştirin ya da girişleri ters yöne döndürün.</translation>
-    </message>
-    <message>
-        <source>The torque that the freewheel exerts on the first of its links while it is locked; the second one has the reaction.</source>
-        <translation>Kilitliyken tek yönlü kavramanın ilk uzvuna uyguladığı moment; tepki ikincidedir.</translation>
-    </message>
-    <message>
-        <source>Freewheel %1</source>
-        <translation>Tek yönlü kavrama %1</translation>
-    </message>
-    <message>
-        <source>It locks where its first link would turn faster than its second.</source>
-        <translation>İlk uzvu ikincisinden hızlı döneceği yerde kilitlenir.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a belt: its pulleys turn the same way, seen from their carrier, and against each other where it is crossed.</source>
-        <translation>%1 bağlantısı bir kayış: kasnakları, kollarından bakıldığında, aynı yönde döner; çaprazsa ters yönlerde.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a belt: its pulleys turn the same way, seen from the carrier, and opposite ways where it is crossed.</source>
-        <translation>%1 bağlantısı bir kayış: kasnakları, koldan bakıldığında, aynı yönde, çaprazsa zıt yönlerde döner.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is an open belt: seen from the carrier, its pulleys turn the same way, so that f is %2.</source>
-        <translation>%1 bağlantısı açık bir kayış: koldan bakıldığında kasnakları aynı yönde döner, bu yüzden f %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is a crossed belt: seen from the carrier, its pulleys turn against each other, so that f is %2.</source>
-        <translation>%1 bağlantısı çapraz bir kayış: koldan bakıldığında kasnakları ters yönlerde döner, bu yüzden f %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: seen from the carrier, both links turn alike, so that f is %2.</source>
-        <translation>%1 bağlantısı deliklerde pimler: koldan bakıldığında iki uzuv da aynı döner, bu yüzden f %2.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: both links turn alike, seen from their carrier.</source>
-        <translation>%1 bağlantısı deliklerde pimler: kollarından bakıldığında iki uzuv da aynı döner.</translation>
-    </message>
-    <message>
-        <source>Mesh %1 is pins in holes: both links turn alike, seen from the carrier.</source>
-        <translation>%1 bağlantısı deliklerde pimler: koldan bakıldığında iki uzuv da aynı döner.</translation>
     </message>
     <message>
         <source>belt</source>
@@ -18841,6 +18703,10 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p or solution (recognised); of a controller: motor-to-joint, joint-to-motor, or coupling for both as JSON</source>
         <translation>hangi matris olduğu: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p veya solution (tanınır); denetleyici için: motor-to-joint, joint-to-motor, ya da ikisi için JSON olarak coupling</translation>
+    </message>
+    <message>
+        <source>%1 is a whole number.</source>
+        <translation>%1 bir tam sayıdır.</translation>
     </message>
 </context>
 <context>

@@ -287,7 +287,6 @@ const Number* statedAngle(const Mechanism& mechanism, const TrainWheel& wheel) {
 }  // namespace
 
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) {
-  const std::optional<GearDefaults>& defaults = mechanism.gearDefaults;
   std::vector<bool> fixed;
   for (TrainWheel& wheel : train.wheels) {
     const Wheel* drawn = wheel.id ? mechanism.find(*wheel.id) : nullptr;

@@ -26,7 +26,7 @@ struct SheetRequest {
   SheetPlan plan;
   std::vector<std::string> students;  ///< by variant, printed on the sheets; may be empty
   std::vector<SheetFileForm> forms;
-  std::filesystem::path folder;  ///< of the document, with the attached 3D files that handouts show
+  std::filesystem::path folder = {};  ///< of the document, with the attached 3D files that handouts show
 };
 
 /// The names of all files of a sheet, relative to its folder: "sheet.json", and by variant "answers-07.json",

@@ -125,7 +125,8 @@ std::optional<LostMotions> lostMotions(const Mechanism& mechanism, const Kinemat
   for (const int input : inputs) result.held.emplace_back(input);
   for (const GearMesh& mesh : mechanism.gearMeshes) {
     Rational play = backlashOf(mechanism, mesh.tailWheel) + backlashOf(mechanism, mesh.headWheel);
-    result.plays.push_back(play.sign() > 0 ? std::move(play) : Rational(0));
+    const bool hasPlay = play.sign() > 0 && touches(saidKind(mesh));  // belts and pins have no flanks
+    result.plays.push_back(hasPlay ? std::move(play) : Rational(0));
   }
   for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
     if (std::find(inputs.begin(), inputs.end(), int{joint}) != inputs.end()) continue;

@@ -131,6 +131,7 @@ class LineMaker {
   }
 
   void addMesh(MeshOrdinal mesh) {
+    if (!touches(m_placement.meshes[mesh]->kind)) return;  // no teeth that meet
     const KinematicModel::MeshRow& row = m_model.meshRow(mesh);
     const MeshSpeeds speeds = meshSpeeds(row, m_phi);
     const Rational toothMesh = Rational(row.tailTeeth) * speeds.tail;

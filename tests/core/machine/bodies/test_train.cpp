@@ -52,7 +52,7 @@ bool isStrictlyManifold(const Solid& solid) {
   return topology.closed && topology.manifold && topology.degenerate == 0;
 }
 
-int count(const Diagnostics& diagnostics, Code code) {
+int codeCount(const Diagnostics& diagnostics, Code code) {
   int n = 0;
   for (const Diagnostic& d : diagnostics) n += d.code == code ? 1 : 0;
   return n;
@@ -115,8 +115,8 @@ class TestTrain : public QObject {
     QCOMPARE(train.meshes.size(), std::size_t(6));
     QVERIFY2(worstPhase(train) < 1e-5, qPrintable(QString::number(worstPhase(train))));
     const Diagnostics found = diagnosticsOf(mechanism);
-    QCOMPARE(count(found, Code::assembly), 0);
-    QCOMPARE(count(found, Code::undercut), 1);  // the sun of 12
+    QCOMPARE(codeCount(found, Code::assembly), 0);
+    QCOMPARE(codeCount(found, Code::undercut), 1);  // the sun of 12
   }
 
   /// Planets of one set are one solid, although their coordinates are rounded each for itself.
@@ -150,7 +150,7 @@ class TestTrain : public QObject {
 
   void planetsThatDoNotFitAreReportedWithWhatDoes() {
     const Diagnostics found = diagnosticsOf(test::planetary(13, 18, 4));
-    QCOMPARE(count(found, Code::assembly), 2);
+    QCOMPARE(codeCount(found, Code::assembly), 2);
     for (const Diagnostic& d : found) {
       if (d.code != Code::assembly) continue;
       QVERIFY(d.message.find("0.500") != std::string::npos);
@@ -266,7 +266,7 @@ class TestTrain : public QObject {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       const Mechanism mechanism = test::randomTrain(seed, 12, 8);
       const GearTrain train = trainOf(mechanism);
-      const int misfits = count(diagnosticsOf(mechanism), Code::assembly);
+      const int misfits = codeCount(diagnosticsOf(mechanism), Code::assembly);
       for (const TrainMesh& mesh : train.meshes) {
         if (std::abs(mesh.residual) > kPhaseFits) QVERIFY(misfits > 0);
       }
