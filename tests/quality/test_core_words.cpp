@@ -92,6 +92,7 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/presentation/report/mathml.cpp", "a format"},
     {"core/presentation/report/html_report.cpp", "a format"},
     {"core/presentation/simulators/mjcf.cpp", "a format, with comments for users of other programs"},
+    {"core/presentation/dxf/dxf_file.cpp", "a format"},
     {"core/presentation/simulators/controller_coupling.cpp",
      "formats, with comments for users of other programs"},
     {"core/presentation/simulators/modelica.cpp", "a format, with comments for users of other programs"},
@@ -105,7 +106,8 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
 /// Names in files and of notices, which stay as they are, heads of a command's options, style sheets, and
 /// words that English alone needs.
 const QRegularExpression kNames(
-    "^(joint |link |body of link |cycle |torque on link |speed of joint |level of link |the | rad/s| part|"
+    "^(joint |link |body of link |cycle |torque on link |speed of joint |level of link |the | rad/s| rpm| "
+    "part|"
     "mesh |coupling |link world|geargraph-cli.*|file,status,.*|--(to|view|show)\\b.*| --view |"
     "((kinds|check) )?FILE\\b.*|WISH \\[.*|not saved|open elsewhere|DejaVu Serif|QLabel \\{.*| "
     "(style|bgcolor)='.*)$");

@@ -14,9 +14,8 @@ class VersionFinder {
   void visit(const Object& object) {
     static const Object kDefault{};
     forEachField<Object>([&]<class Member>(const Member& field) {
-      static_assert(
-          !hasLaterPart<Member, Object>(),
-          "Which members of a composite value are stated has to be decided in a function of its own");
+      // Which members of a composite value are stated has to be decided in a function of its own.
+      static_assert(!hasLaterPart<Member, Object>());
       const auto& value = object.*field.member;
       const MemberInfo& info = field.info();
       if (info.since > m_version && !(value == kDefault.*field.member)) m_version = info.since;

@@ -154,11 +154,15 @@ std::string indexPage(const SheetRequest& request) {
          "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
          "initial-scale=1\">\n<title>" +
          title +
-         "</title>\n<style>\nbody { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 60em; padding: 0 "
-         "1em; color-scheme: light dark; }\n"
-         "table { border-collapse: collapse; }\nth, td { border-bottom: 1px solid #8888; padding: 0.3em 1em "
-         "0.3em 0; text-align: left; }\n"
-         "</style>\n</head>\n<body>\n<h1>" +
+         R"html(</title>
+<style>
+body { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 60em; padding: 0 1em; color-scheme: light dark; }
+table { border-collapse: collapse; }
+th, td { border-bottom: 1px solid #8888; padding: 0.3em 1em 0.3em 0; text-align: left; }
+</style>
+</head>
+<body>
+<h1>)html" +
          title + "</h1>\n<table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows +
          "</tbody>\n</table>\n</body>\n</html>\n";
 }

@@ -113,20 +113,23 @@ std::string ClassSummary::html(const std::string& title) const {
          "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
          "initial-scale=1\">\n<title>" +
          heading +
-         "</title>\n<style>\nbody { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 70em; padding: 0 "
-         "1em; "
-         "color-scheme: light dark; }\nh2 { font-size: 1.1em; margin: 1.6em 0 0.4em; }\ntable { "
-         "border-collapse: "
-         "collapse; width: 100%; }\nth, td { padding: 0.2em 1em 0.2em 0; text-align: left; vertical-align: "
-         "top; "
-         "font-weight: normal; }\nth { width: 20em; } td:nth-child(3) { width: 5em; } td:last-child { width: "
-         "20em; }\n.bar { width: 14em; }\n.bar span { display: block; "
-         "height: 1em; "
-         "margin-top: 0.25em; min-width: 2px; border-radius: 2px; }\n.right { background: #2a8a5a; }\n.wrong "
-         "{ "
-         "background: #c4552d; }\n.unreadable { background: #a8862a; }\n.unanswered { background: #8a8f98; "
-         "}\n"
-         "</style>\n</head>\n<body>\n<h1>" +
+         R"html(</title>
+<style>
+body { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em; color-scheme: light dark; }
+h2 { font-size: 1.1em; margin: 1.6em 0 0.4em; }
+table { border-collapse: collapse; width: 100%; }
+th, td { padding: 0.2em 1em 0.2em 0; text-align: left; vertical-align: top; font-weight: normal; }
+th { width: 20em; } td:nth-child(3) { width: 5em; } td:last-child { width: 20em; }
+.bar { width: 14em; }
+.bar span { display: block; height: 1em; margin-top: 0.25em; min-width: 2px; border-radius: 2px; }
+.right { background: #2a8a5a; }
+.wrong { background: #c4552d; }
+.unreadable { background: #a8862a; }
+.unanswered { background: #8a8f98; }
+</style>
+</head>
+<body>
+<h1>)html" +
          heading + "</h1>\n" + body + "</body>\n</html>\n";
 }
 

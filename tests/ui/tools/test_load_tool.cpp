@@ -11,7 +11,7 @@ using test::kJoint;
 namespace {
 
 /// What the tool proposes for these events, one after the other.
-class Hand {
+class MouseHand {
  public:
   std::optional<std::variant<load_tool::PullTorque, load_tool::TorqueSet, load_tool::TorquePutBack,
                              load_tool::TypeTorque>>
@@ -38,7 +38,7 @@ class TestLoadTool : public QObject {
   Q_OBJECT
  private slots:
   void aDragCountsSteps() {
-    Hand hand;
+    MouseHand hand;
     QVERIFY(!hand.on(Pressed{at(0, 0, kJoint)}));
     QVERIFY(!hand.isIdle());
     QVERIFY(!hand.on(Moved{at(2, 2)}));  // a click may wander
@@ -52,12 +52,12 @@ class TestLoadTool : public QObject {
     QVERIFY(hand.isIdle());
   }
   void aClickIsForTyping() {
-    Hand hand;
+    MouseHand hand;
     hand.on(Pressed{at(0, 0, LinkId("1"))});
     QVERIFY(is(hand.on(Released{at(1, 1)}), load_tool::TypeTorque{LinkId("1")}));
   }
   void escPutsBack() {
-    Hand hand;
+    MouseHand hand;
     hand.on(Pressed{at(0, 0, kJoint)});
     QVERIFY(!hand.on(Escaped{}));
     QVERIFY(hand.isIdle());
@@ -68,7 +68,7 @@ class TestLoadTool : public QObject {
     QVERIFY(hand.isIdle());
   }
   void whatBearsNoLoadIsNotGrabbed() {
-    Hand hand;
+    MouseHand hand;
     hand.on(Pressed{at(0, 0)});
     QVERIFY(hand.isIdle());
     hand.on(Pressed{at(0, 0, MeshId("15"))});

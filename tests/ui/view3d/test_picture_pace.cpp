@@ -9,14 +9,14 @@ using namespace geargraph;
 
 namespace {
 
-struct Hand {
+struct MouseHand {
   Selection selection;
   Viewer viewer{&selection};
   LabelLayer labels;
   PicturePace pace{&viewer, &labels, nullptr};
   QSignalSpy rested{&pace, &PicturePace::rested};
 
-  explicit Hand(bool isSoftware) { pace.setSoftware(isSoftware); }
+  explicit MouseHand(bool isSoftware) { pace.setSoftware(isSoftware); }
 };
 
 }  // namespace
@@ -26,7 +26,7 @@ class TestPicturePace : public QObject {
 
  private slots:
   void whatMovesIsADraftUntilItRests() {
-    Hand hand(true);
+    MouseHand hand(true);
     QVERIFY(!hand.pace.isDraft());
     emit hand.viewer.moving();
     QVERIFY(hand.pace.isDraft());
@@ -35,20 +35,20 @@ class TestPicturePace : public QObject {
   }
 
   void anotherSceneIsADraftFirst() {
-    Hand hand(true);
+    MouseHand hand(true);
     hand.viewer.setStage(test::toyStage());
     QVERIFY(hand.pace.isDraft());
     QTRY_COMPARE(hand.rested.count(), 1);
   }
 
   void aGraphicsCardKeepsUp() {
-    Hand hand(false);
+    MouseHand hand(false);
     emit hand.viewer.moving();
     QVERIFY(!hand.pace.isDraft());
   }
 
   void labelsAreLookedForNowAndThenAndOnceMoreAtRest() {
-    Hand hand(true);
+    MouseHand hand(true);
     hand.viewer.setStage(test::toyStage());
     const StagePtr& stage = hand.viewer.stage();
     QVERIFY(hand.pace.takeMap());

@@ -9,7 +9,7 @@ using namespace geargraph;
 namespace {
 
 /// Draws on the schematic as it stands after every step.
-struct Hand {
+struct MouseHand {
   Mechanism mechanism = emptyMechanism();
 
   [[nodiscard]] SheetFrame frame() const { return schematicGeometry(mechanism).frame; }
@@ -44,7 +44,7 @@ class TestSheetEdits : public QObject {
   Q_OBJECT
  private slots:
   void theFirstShaftLiesOnAnAxisThroughTheOrigin() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({100, 80}, {180, 84});
     QCOMPARE(hand.mechanism.n(), 1);
     QCOMPARE(triple(hand.mechanism.axes[0].point), QString("0 0 0"));
@@ -54,7 +54,7 @@ class TestSheetEdits : public QObject {
   }
 
   void aShaftOnAnAxisSharesIt() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({0, 0}, {80, 0});
     hand.shaft(hand.on(0) + SheetPoint{60, 3}, hand.on(0) + SheetPoint{120, 3});
     QCOMPARE(hand.mechanism.axes.size(), std::size_t{1});
@@ -62,7 +62,7 @@ class TestSheetEdits : public QObject {
   }
 
   void aShaftBesideItGetsAnAxisAtThatDistance() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({0, 0}, {80, 0});
     hand.shaft(hand.place(0, 50), hand.place(20, 50));
     QCOMPARE(hand.mechanism.axes.size(), std::size_t{2});
@@ -71,7 +71,7 @@ class TestSheetEdits : public QObject {
   }
 
   void anUprightShaftMakesAnAxisAcross() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({0, 0}, {80, 0});
     hand.shaft(hand.place(40, 20), hand.place(40, 60));
     QCOMPARE(triple(hand.mechanism.axes[1].direction), QString("1 0 0"));
@@ -81,7 +81,7 @@ class TestSheetEdits : public QObject {
   }
 
   void aPlanetarySetIsDrawnInFiveSteps() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({0, 0}, {60, 0});                                     // 1: sun
     hand.shaft(hand.on(0), hand.on(0) + SheetPoint{60, 0});          // 2: carrier
     hand.shaft(hand.place(0, 42), hand.place(0, 42), hand.link(2));  // 3: planet
@@ -99,7 +99,7 @@ class TestSheetEdits : public QObject {
   }
 
   void aShaftThatAnotherLinkCarriesGetsAnAxisOfItsOwn() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({0, 0}, {60, 0});
     hand.shaft(hand.place(0, 40), hand.place(20, 40));
     hand.shaft(hand.on(1), hand.on(1), hand.link(1));
@@ -108,7 +108,7 @@ class TestSheetEdits : public QObject {
   }
 
   void aPairFillsTheDistanceOfItsAxes() {
-    Hand hand;
+    MouseHand hand;
     hand.shaft({0, 0}, {60, 0});
     hand.shaft(hand.place(0, 50), hand.place(20, 50));
     hand.mesh(1, 2, hand.on(0), hand.on(1));
