@@ -55,7 +55,8 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
 void addKinds(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>& fixes) {
   const std::string name = wordFor(mechanism, mesh.id);
   for (const MeshKind kind : meshKinds()) {
-    if (mesh.kind == kind || !mesh.kind) continue;
+    // A gear that does not fit is not meant as a belt.
+    if (mesh.kind == kind || !mesh.kind || touches(kind) != touches(*mesh.kind)) continue;
     fixes.push_back(
         {filled(translated(std::string_view(pairKind(kind).makeIt)), {name}),
          [id = mesh.id, kind](const Mechanism& before) { return withMeshKind(before, id, kind); }});

@@ -342,6 +342,15 @@ class MechanismGraphReader {
                                                       {std::to_string(withoutKind)}));
   }
 
+  /// Not of a belt by diameters, nor of a kind that has none.
+  static bool statesTeeth(const GraphAttributes& attributes) {
+    if (attributes.find("tailDiameter") != nullptr && attributes.find("headDiameter") != nullptr)
+      return false;
+    const AttributeText* const named = attributes.find("meshKind");
+    const auto kind = named != nullptr ? meshKindFrom(named->text) : std::nullopt;
+    return !kind || pairKind(*kind).hasTeeth;
+  }
+
   bool hasWhatItNeeds(const ReadEdge& edge, const Origin& origin) {
     bool isComplete = true;
     const auto need = [&](std::string_view attribute, const char* sentence) {
@@ -353,7 +362,7 @@ class MechanismGraphReader {
     if (origin.part == GraphPart::turningEdge) {
       need("axis", toTranslate("%1 lacks the attribute \"%2\": the name of the axis that the joint turns "
                                "about, the same for joints on one axis."));
-    } else {
+    } else if (statesTeeth(edge.attributes)) {
       need("tailTeeth",
            toTranslate("%1 lacks the attribute \"%2\": the number of teeth of the gear on its first node."));
       need("headTeeth",
