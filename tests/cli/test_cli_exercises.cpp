@@ -199,7 +199,7 @@ class CliExercisesTest : public QObject {
       for (auto& [name, text] : answers[1]) text = text == "-1" ? "1" : text;
     };
     hand("1", "Ada", [](auto&) {});
-    hand("2", "Cleo", [&](auto& answers) {
+    hand("3", "Cleo", [&](auto& answers) {
       unsigned_(answers);
       answers[2].clear();
     });

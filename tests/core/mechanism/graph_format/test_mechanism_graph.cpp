@@ -100,11 +100,11 @@ class TestMechanismGraph : public QObject {
       mechanism.links[1].id = LinkId(words);
       mechanism.axes[1].id = AxisId(words);
       mechanism.turningJoints[0].id = JointId(words);
-      mechanism.turningJoints[0].head = mechanism.gearMeshes[0].tail = mechanism.wheels[0].link =
-          LinkId(words);
+      mechanism.turningJoints[0].head = mechanism.wheels[0].link = LinkId(words);
+      for (GearMesh& mesh : mechanism.gearMeshes) mesh.tail = LinkId(words);
       mechanism.turningJoints[2].axis = AxisId(words);
       mechanism.inputs->front().joint = JointId(words);
-      mechanism.couplings[1].links[0] = LinkId(words);
+      mechanism.couplings[1].links[0] = mechanism.couplings[2].links[1] = LinkId(words);
       mechanism.states[0].drive = LinkId(words);
       mechanism.loads.clear();
       mechanism.balances.reset();
