@@ -169,11 +169,12 @@ class CliExercisesTest : public QObject {
                                     "freedom,speed", "--title", "Week 3", "--seed", "4"});
     QVERIFY2(made.status == 0, made.errors.c_str());
     QCOMPARE(QDir(path("pages")).entryList(QDir::Files),
-             QStringList({"answers-1.json", "answers-2.json", "handout-1.html", "handout-2.html", "index.html",
-                          "scorm-1.zip", "scorm-2.zip", "sheet.json"}));
+             QStringList({"answers-1.json", "answers-2.json", "handout-1.html", "handout-2.html",
+                          "index.html", "scorm-1.zip", "scorm-2.zip", "sheet.json"}));
     const QString index = QString::fromStdString(contents("pages/index.html"));
     QVERIFY(index.contains("<td>Ada &lt;b&gt;</td>") && index.contains("<td>Emmy Noether</td>"));
-    for (const char* file : {"handout-1.html", "handout-2.html", "scorm-1.zip", "scorm-2.zip", "answers-2.json"})
+    for (const char* file :
+         {"handout-1.html", "handout-2.html", "scorm-1.zip", "scorm-2.zip", "answers-2.json"})
       QVERIFY2(index.contains(QString("<a href=\"%1\">").arg(file)), file);
     const QString page = QString::fromStdString(contents("pages/handout-2.html"));
     QCOMPARE(page.count("<article class=\"question\""), qsizetype{2});
@@ -185,7 +186,8 @@ class CliExercisesTest : public QObject {
 
   /// Which mistake, how often, by whom.
   void theSummaryNamesMistakesAndStudents() {
-    QCOMPARE(make("summed", {"--variants", "3", "--seed", "2026", "--to", "json", "--kinds", "cycle-basis,freedom"})
+    QCOMPARE(make("summed",
+                  {"--variants", "3", "--seed", "2026", "--to", "json", "--kinds", "cycle-basis,freedom"})
                  .status,
              0);
     QVERIFY(QDir().mkpath(path("summed/in")));
@@ -205,17 +207,19 @@ class CliExercisesTest : public QObject {
     });
     hand("3", "Bob", unsigned_);
     const auto graded = [&](const QString& out) {
-      return run({"exercises", "grade", path("summed/sheet.json"), path("summed/in"), "--summary", path(out)});
+      return run(
+          {"exercises", "grade", path("summed/sheet.json"), path("summed/in"), "--summary", path(out)});
     };
     QCOMPARE(graded("sum.csv").status, 0);
     QCOMPARE(lines(contents("sum.csv")),
              QStringList({"question,kind,result,mistake,times,of,students", "1,cycle-basis,right,,1,3,Ada",
-                          "1,cycle-basis,wrong,signs-left-out,2,3,Bob; Cleo", "2,freedom,right,,2,3,Ada; Bob",
-                          "2,freedom,unanswered,,1,3,Cleo"}));
+                          "1,cycle-basis,wrong,cycle-backwards,2,3,Bob; Cleo",
+                          "2,freedom,right,,2,3,Ada; Bob", "2,freedom,unanswered,,1,3,Cleo"}));
     QCOMPARE(graded("sum.html").status, 0);
     const QString page = QString::fromStdString(contents("sum.html"));
     QVERIFY(page.contains("<h2>Question 1: Fill in a row of C</h2>"));
-    QVERIFY(page.contains("signs left out</th><td class=\"bar\"><span class=\"wrong\" style=\"width:67%\">"));
+    QVERIFY(page.contains(
+        "cycle walked against its mesh</th><td class=\"bar\"><span class=\"wrong\" style=\"width:67%\">"));
     QVERIFY(page.contains("2 of 3</td><td>Bob; Cleo</td>"));
     QCOMPARE(graded("sum.txt").status, 2);
     QVERIFY(!QFile::exists(path("sum.txt")));

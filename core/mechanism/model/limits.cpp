@@ -73,7 +73,8 @@ void checkList(const std::optional<Value>& value, const MemberInfo& info, Diagno
   if (value) checkList(*value, info, diagnostics);
 }
 
-/// The short texts of an object. `pointer` gives its JSON pointer, for those that are too long only.
+/// The short texts of an object, and of what its lists hold. `pointer` gives its JSON pointer, for those that
+/// are too long only.
 template <class Object, class Pointer>
 void checkTexts(const Object& object, const Pointer& pointer, Diagnostics& diagnostics) {
   forEachField<Object>([&]<class Member>(const Member& field) {
@@ -83,18 +84,16 @@ void checkTexts(const Object& object, const Pointer& pointer, Diagnostics& diagn
       std::vector<ElementId> elements;
       if constexpr (requires { ElementId(object.id); }) elements.push_back(object.id);
       diagnostics.push_back(tooLong(text, pointer() + "/" + std::string(field.info().name), elements));
+    } else if constexpr (DescribedList<typename Member::Value>) {
+      const auto& list = object.*field.member;
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        checkTexts(
+            list[i],
+            [&] { return pointer() + "/" + std::string(field.info().name) + "/" + std::to_string(i); },
+            diagnostics);
+      }
     }
   });
-}
-
-template <class Value>
-void checkTextsInList(const Value& value, const MemberInfo& info, Diagnostics& diagnostics) {
-  if constexpr (DescribedList<Value>) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      checkTexts(
-          value[i], [&] { return "/" + std::string(info.name) + "/" + std::to_string(i); }, diagnostics);
-    }
-  }
 }
 
 /// A JSON pointer that is written only where a number is beyond its range: writing those of all numbers would
@@ -305,8 +304,6 @@ Diagnostics limitDiagnostics(const Mechanism& mechanism) {
       mechanism, [] { return std::string(); }, diagnostics);
   forEachField<Mechanism>(
       [&](const auto& field) { checkList(mechanism.*field.member, field.info(), diagnostics); });
-  forEachField<Mechanism>(
-      [&](const auto& field) { checkTextsInList(mechanism.*field.member, field.info(), diagnostics); });
   append(diagnostics, noteDiagnostics(mechanism));
   const Diagnostics beyond = RangeCheck(mechanism).found;
   diagnostics.insert(diagnostics.end(), beyond.begin(), beyond.end());

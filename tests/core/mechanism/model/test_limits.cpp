@@ -48,6 +48,15 @@ class LimitsTest : public QObject {
     checkRejected(*withName(robot, robot.links[1].id, gears + "齿"), "/links/1/name");
   }
 
+  /// Texts of what an element holds, too.
+  void pathsOf3DFilesHaveALongest() {
+    Mechanism dressed = robot;
+    dressed.links[1].shapes.push_back({longest, {}, {}, {}, {}});
+    QVERIFY(limitDiagnostics(dressed).empty());
+    dressed.links[1].shapes.push_back({longest + "x", {}, {}, {}, {}});
+    checkRejected(dressed, "/links/1/shapes/1/file");
+  }
+
   void idsHaveALongest() { checkRejected(*withName(robot, robot.axes[0].id, longest + "x"), "/axes/0/id"); }
 
   /// An id may be empty in a document that is about to be refused.
