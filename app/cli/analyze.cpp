@@ -10,9 +10,9 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/analysis_json.h"
 #include "core/presentation/exporters/input_options.h"
-#include "core/presentation/results/analysis_json.h"
 
 namespace geargraph::cli {
 namespace {

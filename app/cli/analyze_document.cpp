@@ -6,7 +6,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 

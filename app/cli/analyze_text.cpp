@@ -4,29 +4,29 @@
 #include <unordered_map>
 
 #include "app/cli/solution_text.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {
 
 constexpr int kMaxRows = 40;
 constexpr int kMaxColumns = 40;
-constexpr int kMaxElements = 100;
+constexpr int kMaxListedElements = 100;
 
 std::string rightAligned(std::string_view text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + std::string(text);
 }
 
 /// In one of two texts that are marked by toTranslate(), by their number, which is %1.
-std::string counted(int count, const char* one, const char* many) {
+std::string countedItems(int count, const char* one, const char* many) {
   return filled(translated(count == 1 ? one : many), {std::to_string(count)});
 }
 
 std::string heading(const Mechanism& m) {
   return (m.name.empty() ? translated("Untitled mechanism") : m.name) +
-         "\nn = " + counted(m.n(), toTranslate("%1 moving link"), toTranslate("%1 moving links")) +
-         ", t = " + counted(m.t(), toTranslate("%1 turning joint"), toTranslate("%1 turning joints")) +
-         ", c = " + counted(m.c(), toTranslate("%1 gear mesh"), toTranslate("%1 gear meshes")) + '\n';
+         "\nn = " + countedItems(m.n(), toTranslate("%1 moving link"), toTranslate("%1 moving links")) +
+         ", t = " + countedItems(m.t(), toTranslate("%1 turning joint"), toTranslate("%1 turning joints")) +
+         ", c = " + countedItems(m.c(), toTranslate("%1 gear mesh"), toTranslate("%1 gear meshes")) + '\n';
 }
 
 /// The labels of the links, so that joints and meshes are listed with numbers.
@@ -37,7 +37,7 @@ std::unordered_map<LinkId, std::string> labelsOfLinks(const Mechanism& m) {
 }
 
 std::string elements(const Mechanism& m) {
-  if (m.n() + m.t() + m.c() > kMaxElements) return {};
+  if (m.n() + m.t() + m.c() > kMaxListedElements) return {};
   auto labels = labelsOfLinks(m);
   const auto arrow = [&](LinkId tail, LinkId head) { return labels[tail] + " -> " + labels[head]; };
   std::string text = '\n' + translated("Links") + '\n';
@@ -99,8 +99,9 @@ std::string grid(const IntegerMatrix& matrix) {
 }
 
 std::string matrixText(const IntegerMatrix& matrix) {
-  const std::string shape = counted(matrix.rows(), toTranslate("%1 row"), toTranslate("%1 rows")) + ", " +
-                            counted(matrix.columns(), toTranslate("%1 column"), toTranslate("%1 columns"));
+  const std::string shape =
+      countedItems(matrix.rows(), toTranslate("%1 row"), toTranslate("%1 rows")) + ", " +
+      countedItems(matrix.columns(), toTranslate("%1 column"), toTranslate("%1 columns"));
   if (matrix.rows() == 0 || matrix.columns() == 0) return title(matrix) + "  " + shape + '\n';
   if (matrix.rows() > kMaxRows || matrix.columns() > kMaxColumns) {
     return title(matrix) + "  " +

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/cli/time_limit.h"
 #include "core/design/atlas/chain_document.h"
 #include "core/design/atlas/identify.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 
@@ -41,13 +41,13 @@ void writeRelatives(JsonWriter& json, const ChainRelatives& relatives) {
 }
 
 std::string numbersText(const std::vector<ChainNumber>& numbers) {
-  constexpr std::size_t kMostNumbers = 12;
+  constexpr std::size_t kMaxNumbers = 12;
   if (numbers.empty()) return translated("none");
   std::string text;
-  for (std::size_t i = 0; i < std::min(numbers.size(), kMostNumbers); ++i)
+  for (std::size_t i = 0; i < std::min(numbers.size(), kMaxNumbers); ++i)
     text += (i == 0 ? "" : " ") + numbers[i].toString();
-  if (numbers.size() <= kMostNumbers) return text;
-  return translated("%1 and %2 more", {text, std::to_string(numbers.size() - kMostNumbers)});
+  if (numbers.size() <= kMaxNumbers) return text;
+  return translated("%1 and %2 more", {text, std::to_string(numbers.size() - kMaxNumbers)});
 }
 
 std::string relativesText(const ChainRelatives& relatives) {

@@ -10,8 +10,8 @@
 #include "app/cli/load.h"
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
-#include "core/presentation/results/lost_motion_report.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/lost_motion_report.h"
 
 namespace geargraph::cli {
 namespace {

@@ -11,19 +11,19 @@
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/teaching/coupling_check/coupling_check.h"
-#include "core/teaching/paper_check/paper_check.h"
+#include "core/teaching/work_check/work_check.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {
 
 /// " (row 3, columns 1 and 2)" of entries in one row or column.
-std::string placesText(const PaperDifference& difference) {
+std::string placesText(const WorkDifference& difference) {
   std::set<int> rows;
   std::set<int> columns;
   for (const EntryPlace& place : difference.entries) {
@@ -40,7 +40,7 @@ std::string placesText(const PaperDifference& difference) {
          numbered(toTranslate("column %1"), toTranslate("columns %1"), columns) + ')';
 }
 
-std::string differenceText(const PaperDifference& difference) {
+std::string differenceText(const WorkDifference& difference) {
   return "  " + translated(paperMistakeTitle(difference.name)) + placesText(difference) + ": " +
          difference.reason + " [" + difference.name + "]\n";
 }
@@ -52,7 +52,7 @@ std::string asText(const MatrixVerdict& verdict) {
     text += ' ' + number;
   text += ": " + translated(outcomeName(verdict.outcome)) + '\n';
   for (const std::string& note : verdict.notes) text += "  " + note + '\n';
-  for (const PaperDifference& difference : verdict.differences) text += differenceText(difference);
+  for (const WorkDifference& difference : verdict.differences) text += differenceText(difference);
   return text;
 }
 
@@ -66,9 +66,8 @@ std::string asText(const std::vector<EquationVerdict>& verdicts) {
   return text;
 }
 
-bool isRight(const PaperVerdict& verdict) {
-  if (const auto* matrix = std::get_if<MatrixVerdict>(&verdict))
-    return matrix->outcome == PaperOutcome::right;
+bool isRight(const WorkVerdict& verdict) {
+  if (const auto* matrix = std::get_if<MatrixVerdict>(&verdict)) return matrix->outcome == WorkOutcome::right;
   const auto& equations = std::get<std::vector<EquationVerdict>>(verdict);
   return std::all_of(equations.begin(), equations.end(), [](const EquationVerdict& e) { return e.isRight; });
 }

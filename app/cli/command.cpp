@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 
 namespace geargraph::cli {

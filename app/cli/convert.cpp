@@ -7,12 +7,12 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_graph.h"
 #include "core/mechanism/document_format/mechanism_table.h"
-#include "core/mechanism/graph_format/mechanism_graph.h"
 
 namespace geargraph::cli {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/cli/diagnostics_output.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {

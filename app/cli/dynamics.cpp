@@ -12,9 +12,9 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/machine/train/train.h"
 #include "core/mechanism/model/quantity.h"
 #include "core/presentation/exporters/element_words.h"
@@ -36,10 +36,10 @@ std::optional<double> plainNumber(std::string_view text) {
   return valueOf(typedNumber(text));
 }
 std::optional<double> speedNumber(std::string_view text) {
-  return valueOf(quantityFromText(text, model::Quantity::speed));
+  return valueOf(quantityFromText(text, Quantity::speed));
 }
 std::optional<double> torqueNumber(std::string_view text) {
-  return valueOf(withUnitFromText(text, model::Quantity::torque));
+  return valueOf(withUnitFromText(text, Quantity::torque));
 }
 /// In rad.
 std::optional<double> angleNumber(std::string_view text) {

@@ -4,8 +4,8 @@
 
 #include "app/cli/text_table.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
-#include "core/presentation/results/diagnostics_json.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/diagnostics_json.h"
 #include "core/theory/dynamics/motion_table.h"
 
 namespace geargraph::cli {

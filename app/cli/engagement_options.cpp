@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/cli/load.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
 
@@ -25,7 +25,7 @@ std::string titleOf(const Mechanism& mechanism) {
 
 std::string engagementText(const Mechanism& mechanism) {
   std::vector<std::string> names;
-  for (const CouplingId id : mechanism.engaged) names.push_back(id.text());
+  for (const ShiftElementId id : mechanism.engaged) names.push_back(id.text());
   if (names.empty()) return {};
   const int state = engagedState(mechanism);
   const std::string all = listed(names, kAllNames);

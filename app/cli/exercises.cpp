@@ -7,7 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/exporters/exercise_plan.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 

@@ -9,7 +9,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/exercise_forms.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/csv.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json.h"
@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestAnswers = std::size_t{4} * 1024 * 1024;
-constexpr std::size_t kMaxNameLength = 80;  ///< characters of a student's name in the CSV
+constexpr std::size_t kMaxPupilName = 80;  ///< characters of a student's name in the CSV
 
 /// A file of answers, and whether it was found in a folder.
 struct HandedIn {
@@ -96,7 +96,7 @@ std::string cutName(const std::string& text) {
   std::size_t characters = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool isFirstByte = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
-    if (isFirstByte && ++characters > kMaxNameLength) return text.substr(0, at) + "\u2026";
+    if (isFirstByte && ++characters > kMaxPupilName) return text.substr(0, at) + "\u2026";
   }
   return text;
 }

@@ -9,11 +9,11 @@
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/folder.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/presentation/exercise_sheets/sheet_files.h"
 #include "core/presentation/exporters/exercise_plan.h"
-#include "core/presentation/sheet_files/sheet_files.h"
 
 namespace geargraph::cli {
 namespace {

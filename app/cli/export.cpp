@@ -8,7 +8,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/exporters/exporters.h"
 
 namespace geargraph::cli {

@@ -11,7 +11,7 @@
 #include "core/design/gearboxes/gearbox_document.h"
 #include "core/design/gearboxes/gearbox_json.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/folder.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 

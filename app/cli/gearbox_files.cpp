@@ -9,15 +9,15 @@
 
 #include "app/cli/time_limit.h"
 #include "core/design/gearboxes/gearbox_shards.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostSearchJobs = 256;
-constexpr int kMostShards = 1'000'000;
+constexpr int kMaxSearchJobs = 256;
+constexpr int kMaxShards = 1'000'000;
 constexpr std::size_t kLargestShard = std::size_t{1} << 30U;
 
 int badPart(const std::string& path, const Diagnostics& why) {
@@ -34,9 +34,9 @@ bool appendTo(std::ofstream& file, const std::string& text) {
 
 std::variant<int, UsageError> jobsFrom(const Arguments& arguments) {
   const auto word = arguments.value("--jobs");
-  if (!word) return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) - 1, 1, kMostSearchJobs);
+  if (!word) return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) - 1, 1, kMaxSearchJobs);
   const auto given = numberFrom<int>(*word);
-  if (given && *given >= 1 && *given <= kMostSearchJobs) return *given;
+  if (given && *given >= 1 && *given <= kMaxSearchJobs) return *given;
   return UsageError{translated("--jobs is a whole number from 1 to 256.")};
 }
 
@@ -45,7 +45,7 @@ std::optional<Shard> shardFrom(std::string_view text) {
   if (slash == std::string_view::npos) return std::nullopt;
   const auto part = numberFrom<int>(text.substr(0, slash));
   const auto count = numberFrom<int>(text.substr(slash + 1));
-  if (!part || !count || *count < 1 || *count > kMostShards || *part < 0 || *part >= *count)
+  if (!part || !count || *count < 1 || *count > kMaxShards || *part < 0 || *part >= *count)
     return std::nullopt;
   return Shard{*part, *count};
 }

@@ -8,7 +8,7 @@
 #include "app/cli/time_limit.h"
 #include "core/design/gearboxes/hub_document.h"
 #include "core/design/gearboxes/hub_json.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/folder.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 

@@ -12,14 +12,14 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/design/atlas/chain_choices.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/placement/placement.h"
 
 namespace geargraph::cli {
 namespace {
 
 constexpr std::size_t kUsualChoices = 100;
-constexpr std::size_t kMostChoices = 100'000;
+constexpr std::size_t kMaxChoices = 100'000;
 
 /// A document and what it is made of.
 struct IdentifiedTrain {
@@ -279,7 +279,7 @@ std::variant<std::optional<ChainChoices>, int> choicesFrom(const Arguments& argu
   if (const auto word = arguments.value("--limit")) {
     const auto given = numberFrom<std::size_t>(*word);
     if (!given) return wrongUsage(kIdentify, translated("--limit is a whole number."));
-    most = std::min(*given, kMostChoices);
+    most = std::min(*given, kMaxChoices);
   }
   auto choices = choicesOf(train.drawn.chain, train.drawn.teeth, most, arguments.stop);
   if (choices) return choices;

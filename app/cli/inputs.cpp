@@ -9,7 +9,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/matroid/input_sets.h"
 
@@ -27,7 +27,8 @@ struct Sets {
 std::optional<Sets> setsOf(const AnalysisSnapshot& snapshot, std::size_t limit, const std::stop_token& stop) {
   const MatroidAnalysis* matroid = snapshot.matroid();
   if (matroid == nullptr) return std::nullopt;
-  const auto found = InputSets::of(*snapshot.kinematics->model, FusedField(), matroid->choice.joints, stop);
+  const auto found =
+      InputSets::of(*snapshot.kinematics->model, ModularDoubleField(), matroid->choice.joints, stop);
   if (!found) return std::nullopt;
   Sets sets{found->count(stop), found->list(limit, stop)};
   for (std::vector<int>& set : sets.labels) {

@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "app/cli/catalogues.h"
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_checker.h"

@@ -11,9 +11,9 @@
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
-#include "core/presentation/lever_drawing/lever_words.h"
-#include "core/presentation/results/levers_json.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/diagrams/lever_words.h"
+#include "core/presentation/export_api/levers_json.h"
 
 namespace geargraph::cli {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/mechanism/graph_format/mechanism_graph.h"
+#include "core/mechanism/document_format/mechanism_graph.h"
 
 namespace geargraph::cli {
 

@@ -8,7 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/language.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {

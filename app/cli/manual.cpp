@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/cli/command.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/manual/manual_site.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/foundations/base/arithmetic.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 

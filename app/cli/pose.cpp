@@ -16,10 +16,10 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/input_pose.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/input_options.h"
-#include "core/presentation/results/input_pose.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/joint_limits.h"
 

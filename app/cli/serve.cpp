@@ -13,14 +13,14 @@
 #include "app/cli/serve_members.h"
 #include "app/cli/served_command.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/base64.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/mechanism/graph_format/mechanism_graph.h"
-#include "core/presentation/results/diagnostics_json.h"
+#include "core/mechanism/document_format/mechanism_graph.h"
+#include "core/presentation/export_api/diagnostics_json.h"
 
 namespace geargraph::cli {
 namespace {

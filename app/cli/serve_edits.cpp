@@ -18,7 +18,7 @@ namespace {
 Diagnostic notFound(std::string_view id, ElementKind kind) {
   return {Code::unknownId,
           "There is no \"" + std::string(id) + "\" in " + std::string(listName(kind)) + ".",
-          {{kind, Atom(id)}},
+          {{kind, InternedString(id)}},
           {}};
 }
 
@@ -86,7 +86,8 @@ constexpr std::string_view kNewId = "id; without it a free one";
 std::string_view withUnit(std::string_view value, Measure measure) {
   const std::string_view unit = measure == Measure::modules ? std::string_view() : unitOf(measure);
   if (unit.empty()) return value;
-  return Atom(std::string(value) + ", " + std::string(unit)).text();  // lives as long as the program
+  return InternedString(std::string(value) + ", " + std::string(unit))
+      .text();  // lives as long as the program
 }
 
 std::string_view referenceText(ElementKind kind) {
@@ -283,13 +284,13 @@ Expected<Mechanism> addWheel(Mechanism m, EditMembers& of) {
 }
 
 Expected<Mechanism> addCoupling(Mechanism m, EditMembers& of) {
-  const auto coupling = elementOf<Coupling>(of);
+  const auto coupling = elementOf<ShiftElement>(of);
   if (!coupling) return coupling.error();
   const std::vector<LinkId>& links = coupling->links;
-  if (coupling->kind == CouplingKind::brake)
+  if (coupling->kind == ShiftElementKind::brake)
     return withBrake(std::move(m), links.front(), coupling->id.text());
   if (links.size() != 2) return Diagnostic{Code::schema, "A clutch or freewheel names two links.", {}, {}};
-  if (coupling->kind == CouplingKind::freewheel)
+  if (coupling->kind == ShiftElementKind::freewheel)
     return withFreewheel(std::move(m), links[0], links[1], coupling->id.text());
   return withClutch(std::move(m), links[0], links[1], coupling->id.text());
 }
@@ -306,7 +307,7 @@ Expected<Mechanism> removeElements(Mechanism m, EditMembers& of) {
                                  ElementKind::wheel, ElementKind::coupling,     ElementKind::load};
   std::vector<ElementId> elements;
   for (const ElementKind kind : kKinds) {
-    for (const std::string& id : of.texts(listName(kind))) elements.emplace_back(kind, Atom(id));
+    for (const std::string& id : of.texts(listName(kind))) elements.emplace_back(kind, InternedString(id));
   }
   for (const std::string& name : of.texts("states")) {
     const auto position = statePosition(m, name);

@@ -13,7 +13,7 @@
 #include <iostream>
 #include <new>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {

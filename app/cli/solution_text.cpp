@@ -5,7 +5,7 @@
 
 #include "app/cli/engagement_options.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/utf8.h"
 
 namespace geargraph::cli {

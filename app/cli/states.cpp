@@ -15,11 +15,11 @@
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/quantity.h"
-#include "core/presentation/results/solved_statics.h"
-#include "core/presentation/results/states_json.h"
+#include "core/presentation/export_api/solved_statics.h"
+#include "core/presentation/export_api/states_json.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/load_diagnostics.h"
 
@@ -38,7 +38,7 @@ std::string ratioText(const Rational& value) {
 std::vector<std::vector<std::string>> shiftTableOf(const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
   std::vector<std::vector<std::string>> rows{{translated("state")}};
-  for (const Coupling& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
+  for (const ShiftElement& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
   for (const char* heading :
        {toTranslate("ratio"), toTranslate("decimal"), toTranslate("step"), toTranslate("in the gear ratios")})
     rows[0].push_back(translated(heading));
@@ -114,7 +114,7 @@ std::string torquesText(const Mechanism& mechanism, const std::vector<StateForce
     return table.rows[row].cells[1 + couplings + static_cast<std::size_t>(column)].text;
   };
   TextRows rows{{translated("state"), translated("drive"), translated("driven")}};
-  for (const Coupling& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
+  for (const ShiftElement& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
   rows[0].push_back(translated("efficiency"));
   rows[0].push_back(translated("backward"));
   for (std::size_t state = 0; state < states.size(); ++state) {
@@ -157,7 +157,7 @@ std::variant<Mechanism, UsageError> withTorqueOptions(Mechanism mechanism, const
   if (options.sharing) mechanism.sharing = options.sharing;
   const auto word = arguments.value("--torque");
   if (!word) return mechanism;
-  const auto torque = withUnitFromText(*word, model::Quantity::torque);
+  const auto torque = withUnitFromText(*word, Quantity::torque);
   if (!torque) return UsageError{translated("--torque is a torque like 100Nm, not \"%1\".", {*word})};
   Expected<Mechanism> next = withDriveTorque(std::move(mechanism), *torque);
   if (!next) return UsageError{next.error().front().message};

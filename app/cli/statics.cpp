@@ -12,9 +12,9 @@
 #include "app/cli/statics_options.h"
 #include "app/cli/statics_text.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/statics_json.h"
 #include "core/presentation/exporters/input_options.h"
-#include "core/presentation/results/statics_json.h"
 
 namespace geargraph::cli {
 namespace {

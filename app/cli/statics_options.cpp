@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/number_options.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/length.h"
 #include "core/mechanism/model/quantity.h"
 #include "core/presentation/exporters/element_words.h"
@@ -12,7 +12,7 @@ namespace geargraph::cli {
 namespace {
 
 /// A joint, or a link with an axis: "joint:14", "link:3", "link:3@e".
-using Place = std::variant<JointId, Balance::OnLink>;
+using Place = std::variant<JointId, HoldingTorque::OnLink>;
 
 UsageError noPlace(std::string_view option, std::string_view word) {
   return UsageError{
@@ -35,7 +35,7 @@ std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::strin
   const auto position = linkNamed(mechanism, word.substr(0, at));
   if (!position) return UsageError{translated("There is no link \"%1\".", {word.substr(0, at)})};
   if (*position == 0) return UsageError{translated("The ground takes any load: name a moving link.")};
-  Balance::OnLink place{mechanism.links[*position].id, {}};
+  HoldingTorque::OnLink place{mechanism.links[*position].id, {}};
   if (at < word.size()) {
     place.axis = AxisId(word.substr(at + 1));
     if (mechanism.find(*place.axis) == nullptr)
@@ -56,7 +56,7 @@ std::optional<LinkForce> forceFrom(const Mechanism& mechanism, LinkId link, std:
     if (!components.ends_with(unit)) continue;
     const auto force =
         tripleFrom(components.substr(0, components.size() - unit.size()), [&](std::string_view each) {
-          return withUnitFromText(std::string(each) + std::string(unit), model::Quantity::force);
+          return withUnitFromText(std::string(each) + std::string(unit), Quantity::force);
         });
     if (force && point) return LinkForce{link, *force, *point};
   }
@@ -69,8 +69,8 @@ std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_
   if (const auto* error = std::get_if<UsageError>(&place)) return *error;
   const std::string_view size = word.substr(std::min(equals + 1, word.size()));
   const auto& where = std::get<Place>(place);
-  const auto* link = std::get_if<Balance::OnLink>(&where);
-  if (const auto torque = withUnitFromText(size, model::Quantity::torque)) {
+  const auto* link = std::get_if<HoldingTorque::OnLink>(&where);
+  if (const auto torque = withUnitFromText(size, Quantity::torque)) {
     if (link == nullptr) return Load{{}, JointTorque{std::get<JointId>(where), *torque}};
     return Load{{}, LinkTorque{link->link, link->axis, *torque}};
   }
@@ -113,7 +113,7 @@ std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechani
   for (const std::string& word : arguments.values("--balance")) {
     const auto place = placeFrom(mechanism, "--balance", word);
     if (const auto* error = std::get_if<UsageError>(&place)) return *error;
-    Balance balance;
+    HoldingTorque balance;
     std::visit([&](const auto& where) { balance.at = where; }, std::get<Place>(place));
     if (std::find(options.balances.begin(), options.balances.end(), balance) != options.balances.end())
       return UsageError{translated("--balance names \"%1\" twice.", {word})};

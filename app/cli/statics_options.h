@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/statics/statics_report.h"
 
 namespace geargraph::cli {

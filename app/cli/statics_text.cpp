@@ -5,7 +5,7 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/text_table.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {
@@ -114,7 +114,7 @@ class StaticsText {
  private:
   [[nodiscard]] std::string nameOf(const HeldPart& part) const {
     if (part.coupling >= 0) {
-      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
+      const ShiftElement& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
       const std::string name = couplingName(coupling.kind, coupling.id.text());
       return part.isMain ? name : about(name, part.axis);
     }

@@ -11,7 +11,7 @@
 #include "app/cli/command.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/csv.h"
 #include "core/theory/analysis/analysis.h"
 

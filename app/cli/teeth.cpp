@@ -18,16 +18,16 @@
 #include "core/design/teeth_search/teeth_certificate.h"
 #include "core/design/teeth_search/teeth_json.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph::cli {
 namespace {
 
-constexpr std::size_t kMostShown = 20;
-constexpr std::size_t kMostChoices = 100'000;
+constexpr std::size_t kMaxTeethShown = 20;
+constexpr std::size_t kMaxChoices = 100'000;
 constexpr std::size_t kLargestWish = std::size_t{1} << 20U;
 
 /// "+0.184 %", of a relative error.
@@ -155,8 +155,8 @@ std::string asText(const MeantTeeth& meant, std::size_t most) {
 /// The wheels and teeth by which --meant may differ from the drawn ones.
 std::variant<MeantTeethOptions, UsageError> meantOptionsFrom(const Arguments& arguments) {
   MeantTeethOptions options;
-  for (const auto& [name, most, value] : {std::tuple("--wheels", kMostMeantWheels, &options.wheels),
-                                          std::tuple("--by", kMostMeantTeeth, &options.by)}) {
+  for (const auto& [name, most, value] : {std::tuple("--wheels", kMaxMeantWheels, &options.wheels),
+                                          std::tuple("--by", kMaxMeantTeeth, &options.by)}) {
     const auto word = arguments.value(name);
     if (!word) continue;
     const auto number = numberFrom<int>(*word);
@@ -189,12 +189,12 @@ int runTeeth(const Arguments& arguments) {
   }
   if (arguments.files.size() != 2)
     return wrongUsage(kTeeth, translated("A mechanism and a file with a wish are needed."));
-  std::size_t most = kMostShown;
+  std::size_t most = kMaxTeethShown;
   if (const auto word = arguments.value("--limit")) {
     const auto number = numberFrom<std::size_t>(*word);
-    if (!number || *number > kMostChoices)
+    if (!number || *number > kMaxChoices)
       return wrongUsage(kTeeth,
-                        translated("--limit is a whole number up to %1.", {std::to_string(kMostChoices)}));
+                        translated("--limit is a whole number up to %1.", {std::to_string(kMaxChoices)}));
     most = *number;
   }
   const auto loaded = loadOrSay(arguments.files.front());

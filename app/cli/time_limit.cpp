@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "app/cli/command.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/design/collision/motion_diagnostics.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/shape_files.h"
 #include "core/theory/analysis/analysis.h"
 

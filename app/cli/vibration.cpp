@@ -12,15 +12,15 @@
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/vibration_report.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/number_options.h"
-#include "core/presentation/results/vibration_report.h"
 
 namespace geargraph::cli {
 namespace {
 
-constexpr double kMostRpm = 1e9;
+constexpr double kMaxRpm = 1e9;
 
 /// The whole number of an option, or `otherwise`.
 std::variant<int, UsageError> wholeWithin(const Arguments& arguments, std::string_view option, int otherwise,
@@ -46,7 +46,7 @@ std::variant<VibrationOptions, UsageError> vibrationOptions(const Mechanism& mec
   if (auto error = read("--sidebands", options.lines.sidebands, 0, Bounds::kMaxSidebands)) return *error;
   if (auto error = read("--planets", options.lines.planets, 1, Bounds::kMaxPlanets)) return *error;
   if (arguments.has("--rpm")) {
-    const auto rpm = numberWithin(arguments, "--rpm", 0, 0, kMostRpm);
+    const auto rpm = numberWithin(arguments, "--rpm", 0, 0, kMaxRpm);
     if (const auto* error = std::get_if<UsageError>(&rpm)) return *error;
     if (std::get<double>(rpm) == 0) return UsageError{translated("--rpm is above 0.")};
     options.rpm = std::get<double>(rpm);

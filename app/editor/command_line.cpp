@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "ui/languages/languages.h"
+#include "ui/settings/languages.h"
 
 namespace geargraph {
 namespace {

@@ -3,15 +3,15 @@
 
 #include "app/editor/command_line.h"
 #include "app/editor/screenshot.h"
-#include "ui/crash/action_recorder.h"
-#include "ui/crash/crash_handler.h"
-#include "ui/languages/languages.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/screen_fit.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/window_help.h"
 #include "ui/mainwindow/window_set.h"
+#include "ui/recovery/action_recorder.h"
+#include "ui/recovery/crash_handler.h"
+#include "ui/settings/languages.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 

@@ -9,7 +9,7 @@
 #include <new>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/byte_sink.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/sandbox/sandbox.h"

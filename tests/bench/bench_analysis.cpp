@@ -68,7 +68,7 @@ void liveStatics(benchmark::State& state, Family family) {
   StaticsProblem problem;
   for (const int joint : snapshot->matroid()->choice.joints) problem.balances.push_back(TorquePlace{joint});
   problem.torques = {{TorquePlace{mechanism->t() - 1}, Rational(10)}};
-  const FusedField field;
+  const ModularDoubleField field;
   for (auto _ : state) {
     const LoadPower power = LoadPower::of(*mechanism, *kinematics.model, kinematics.placement(), problem);
     const auto held = heldParts(*mechanism, *kinematics.model, kinematics.placement(), problem);

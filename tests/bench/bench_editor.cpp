@@ -18,16 +18,16 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/theory/analysis/analysis.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/deep_train.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/matrices_panel.h"
-#include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -263,7 +263,7 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
   int step = 0;
   const auto* schematic = window.findChild<SchematicView*>();
   const auto drag = [&] {
-    const StagePtr before = window.view3d().stage();
+    const MechanismScenePtr before = window.view3d().stage();
     const int teeth = least + ++step % 40;
     QElapsedTimer seen;
     seen.start();

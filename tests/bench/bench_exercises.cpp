@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/presentation/pages/report_pdf.h"
-#include "core/presentation/sheets/sheet_report.h"
+#include "core/presentation/exercise_sheets/sheet_report.h"
+#include "core/presentation/page_layout/report_pdf.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 #include "core/teaching/grading/grade.h"
 #include "tests/core/support/example_files.h"

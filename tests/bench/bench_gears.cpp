@@ -9,7 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/foundations/base/contract.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "tests/core/support/trains.h"
 

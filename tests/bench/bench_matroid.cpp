@@ -66,7 +66,7 @@ void symbolic(benchmark::State& state, Family family) {
 
 void countSets(benchmark::State& state, Family family) {
   const Worked worked(family(static_cast<int>(state.range(0))));
-  const FusedField field;
+  const ModularDoubleField field;
   std::optional<Rational> count;
   for (auto _ : state) {
     count = InputSets::of(worked.model, field, worked.analysis.choice.joints)->count();

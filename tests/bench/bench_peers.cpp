@@ -31,9 +31,9 @@ struct Problem {
   }
   [[nodiscard]] int n() const { return mechanism->n(); }
   [[nodiscard]] const std::vector<int>& inputs() const { return snapshot->matroid()->choice.joints; }
-  [[nodiscard]] SparseRows<Fused> rows() const {
+  [[nodiscard]] SparseRows<ModularDouble> rows() const {
     const KinematicModel& model = *snapshot->kinematics->model;
-    const FusedField field;
+    const ModularDoubleField field;
     return inputRows(model, field, snapshot->matroid()->independentMeshes, inputs());
   }
 };
@@ -44,7 +44,7 @@ struct System {
   Eigen::MatrixXd right;
 
   explicit System(const Problem& problem) {
-    const SparseRows<Fused> rows = problem.rows();
+    const SparseRows<ModularDouble> rows = problem.rows();
     Triplets triplets;
     for (int row = 0; row < rows.rows(); ++row) {
       for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {

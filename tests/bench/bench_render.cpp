@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/presentation/painting/egl_host.h"
+#include "core/presentation/gl_renderer/egl_host.h"
 #include "tests/bench/gear_field.h"
 
 namespace geargraph {

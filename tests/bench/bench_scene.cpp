@@ -8,11 +8,11 @@
 
 #include "core/design/collision/motion_diagnostics.h"
 #include "core/foundations/base/contract.h"
-#include "core/machine/bodies/derived_geometry.h"
-#include "core/mechanism/fitting/fitted_edits.h"
-#include "core/presentation/painting/egl_host.h"
+#include "core/machine/body_layout/derived_geometry.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
+#include "core/presentation/gl_renderer/egl_host.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
 #include "core/presentation/schematic/schematic.h"
-#include "core/presentation/train_stage/train_stage.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 
@@ -45,18 +45,18 @@ void stageOfADrag(benchmark::State& state, const char* name, const char* mesh, i
   std::vector<SnapshotPtr> drag = dragOf(name, MeshId(mesh), least, kSteps);
   std::size_t step = drag.size();
   std::optional<GearCache> cache;
-  std::optional<StageMemory> memory;
+  std::optional<SceneMemory> memory;
   for (auto _ : state) {
     if (step == drag.size()) {
       state.PauseTiming();
       cache.emplace(1024);
       memory.emplace();
       std::transform(drag.begin(), drag.end(), drag.begin(), underived);
-      benchmark::DoNotOptimize(trainStage(*drag.front(), *cache, nullptr, &*memory));
+      benchmark::DoNotOptimize(mechanismScene(*drag.front(), *cache, nullptr, &*memory));
       step = 1;
       state.ResumeTiming();
     }
-    benchmark::DoNotOptimize(trainStage(*drag[step++], *cache, nullptr, &*memory));
+    benchmark::DoNotOptimize(mechanismScene(*drag[step++], *cache, nullptr, &*memory));
   }
 }
 
@@ -70,8 +70,8 @@ void stageOfADeepTrain(benchmark::State& state) {
     snapshot = underived(snapshot);
     state.ResumeTiming();
     GearCache cache(1024);
-    StageMemory memory;
-    benchmark::DoNotOptimize(trainStage(*snapshot, cache, nullptr, &memory));
+    SceneMemory memory;
+    benchmark::DoNotOptimize(mechanismScene(*snapshot, cache, nullptr, &memory));
   }
 }
 
@@ -90,10 +90,10 @@ void draftFrameOfADrag(benchmark::State& state, const char* name, const char* me
   auto host = EglHost::create();
   if (!host) return state.SkipWithError("no OpenGL");
   GearCache cache(1024);
-  StageMemory memory;
-  std::vector<StagePtr> stages;
+  SceneMemory memory;
+  std::vector<MechanismScenePtr> stages;
   for (const SnapshotPtr& snapshot : dragOf(name, MeshId(mesh), least, kSteps))
-    stages.push_back(trainStage(*snapshot, cache, nullptr, &memory));
+    stages.push_back(mechanismScene(*snapshot, cache, nullptr, &memory));
   Frame frame;
   frame.viewport = {560, 307};
   frame.style = RenderStyle::light().cheaper();

@@ -134,7 +134,7 @@ Mechanism drivenAtRandom(Mechanism train) {
   std::mt19937_64 random(7);
   // Valid sets are rare among all: from one to the next, an input is exchanged for a joint that may replace
   // it.
-  const FusedField field;
+  const ModularDoubleField field;
   for (int exchange = 0; exchange < 12; ++exchange) {
     const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(train));
     const std::vector<int>& inputs = snapshot->matroid()->choice.joints;

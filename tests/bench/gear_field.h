@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/presentation/painting/scene.h"
+#include "core/presentation/gl_renderer/scene.h"
 
 namespace geargraph::bench {
 

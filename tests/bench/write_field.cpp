@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/presentation/mechanism_scene/scene_picture.h"
 #include "core/presentation/meshfile/mesh_writer.h"
-#include "core/presentation/train_stage/stage_picture.h"
 #include "tests/bench/gear_field.h"
 
 int main(int count, char** words) {
@@ -15,11 +15,11 @@ int main(int count, char** words) {
     std::fprintf(stderr, "usage: geargraph_bench_field COUNT SHAPES FILE\n");
     return 2;
   }
-  auto stage = std::make_shared<Stage>();
+  auto stage = std::make_shared<MechanismScene>();
   stage->scene = bench::gearField(std::atoi(words[1]), std::atoi(words[2]));
   const std::filesystem::path file = words[3];
   if (file.extension() == ".glb") return writeMesh(sceneOf(*stage, {}), MeshFormat::glb, file) ? 1 : 0;
-  StageRendering rendering;
+  SceneRendering rendering;
   rendering.stage = stage;
   rendering.size = {1280, 720};
   rendering.view.camera = Camera::from(-0.5, 0.6);

@@ -194,7 +194,7 @@ class TestCli : public QObject {
     QVERIFY(by["engaged"] == json({"A", "B", "C"}) && by["state"] == "1");
     const json two = json::parse(run({"analyze", file, "--engage", "A,E", "--json"}).output);
     QVERIFY(two["counts"]["dof"] == 2 && two["state"].is_null());
-    save(*withEngagement(test::example("simpson"), {CouplingId("C")}));
+    save(*withEngagement(test::example("simpson"), {ShiftElementId("C")}));
     QVERIFY(json::parse(run({"analyze", path("m"), "--json"}).output)["engaged"] == json({"C"}));
     QVERIFY(
         !json::parse(run({"analyze", path("m"), "--engage", "none", "--json"}).output).contains("engaged"));
@@ -223,7 +223,7 @@ class TestCli : public QObject {
     const std::string derivation = run({"export", file, "--to", "md", "--state", "1", "-o", "-"}).output;
     QVERIFY(derivation.find("Engaged couplings") != std::string::npos);
     QVERIFY(derivation.find("brake A") != std::string::npos);
-    save(*withEngagement(test::example("eight-speed-gearbox"), {CouplingId("A")}));
+    save(*withEngagement(test::example("eight-speed-gearbox"), {ShiftElementId("A")}));
     const json statics = json::parse(run({"statics", path("m"), "--json"}).output);
     QVERIFY(statics["engaged"] == json({"A"}) && statics["state"].is_null());
     QVERIFY(json::parse(run({"statics", path("m"), "--state", "1", "--json"}).output)["engaged"] ==

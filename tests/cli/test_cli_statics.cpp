@@ -251,7 +251,7 @@ class TestCliStatics : public QObject {
     Mechanism set = test::planetary(24, 18);
     set.inputs = std::vector<Input>{{set.turningJoints[0].id, Number(100), {}},
                                     {set.turningJoints[1].id, Number(0), {}}};
-    set.balances = std::vector<Balance>{{set.turningJoints[1].id}, {set.turningJoints[2].id}};
+    set.balances = std::vector<HoldingTorque>{{set.turningJoints[1].id}, {set.turningJoints[2].id}};
     const QString unloaded = saved(set);
     set = *withLoad(set, {{}, JointTorque{set.turningJoints[0].id, Number(10)}});
     const QString file = saved(set);
@@ -275,7 +275,7 @@ class TestCliStatics : public QObject {
             none.errors.find("needs loads: this document has none") != std::string::npos);
     // What nothing holds is named.
     Mechanism open = set;
-    open.balances = std::vector<Balance>{{set.turningJoints[1].id}};
+    open.balances = std::vector<HoldingTorque>{{set.turningJoints[1].id}};
     const Run unheld = drawn(saved(open), "digraph", "ground");
     QCOMPARE(unheld.status, 1);
     QVERIFY2(unheld.output.empty() && unheld.errors.find("[unbalanced]") != std::string::npos &&

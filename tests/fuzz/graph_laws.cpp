@@ -1,6 +1,6 @@
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_graph.h"
 #include "core/mechanism/document_format/mechanism_table.h"
-#include "core/mechanism/graph_format/mechanism_graph.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/fuzz/laws.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mechanism/graph_format/mechanism_graph.h"
+#include "core/mechanism/document_format/mechanism_graph.h"
 #include "tests/core/mechanism/document_format/support.h"
 #include "tests/core/support/example_files.h"
 #include "tests/fuzz/laws.h"

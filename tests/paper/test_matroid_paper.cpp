@@ -89,7 +89,7 @@ class TestMatroidPaper : public QObject {
 
   void eq08_offsetRotation() {
     const double angle = 0.3;
-    const Triple<Vector3> rows = offsetRotation(angle);
+    const Vector3Of<Vector3> rows = offsetRotation(angle);
     QVERIFY(near(rows[0], {1, 0, 0}));
     QVERIFY(near(rows[1], {0, std::cos(angle), -std::sin(angle)}));
     QVERIFY(near(rows[2], {0, std::sin(angle), std::cos(angle)}));

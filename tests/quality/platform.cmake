@@ -10,8 +10,8 @@ if(NOT DEFINED EXCEPTIONS)
   set(EXCEPTIONS
     # One file a subject, each behind a header without the system; not yet with a portable variant.
     app/cli/served_command.cpp                     # a process for each request, with a limit of memory
-    core/presentation/painting/egl_host.cpp        # OpenGL without a window: EGL
-    ui/crash/crash_handler.cpp                     # signals and stack traces
+    core/presentation/gl_renderer/egl_host.cpp        # OpenGL without a window: EGL
+    ui/recovery/crash_handler.cpp                     # signals and stack traces
     # The sandbox is Linux' own; sandbox_portable.cpp stands in for it.
     core/foundations/sandbox/call_filter.cpp
     core/foundations/sandbox/file_rules.cpp

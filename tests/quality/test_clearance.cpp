@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/design/synthesis/bevel_sets.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/mechanism/graph/digraph.h"
 #include "core/theory/pose/forward_kinematics.h"

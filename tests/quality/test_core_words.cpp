@@ -68,9 +68,9 @@ QStringList bypassingIn(const QString& source) {
 
 /// What speaks no language of its reader, and why.
 const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
-    {"core/teaching/comparison/comparison_families.cpp", "names of documents"},
+    {"core/teaching/derivation/comparison_families.cpp", "names of documents"},
     {"core/teaching/derivation/matrix_text.cpp", "comments of formats"},
-    {"core/mechanism/graph_format/graph_text.cpp", "formats"},
+    {"core/mechanism/document_format/graph_text.cpp", "formats"},
     {"core/mechanism/model/fields.h", "the page of the format and its schema, which are English"},
     {"core/design/atlas/canonical_graph.cpp", "for developers"},
     {"core/design/gearboxes/hub_search.cpp", "names of questions in JSON"},
@@ -87,8 +87,8 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/presentation/meshfile/mesh_reader.cpp", "for tests"},
     {"core/presentation/meshfile/obj_encoder.cpp", "a format"},
     {"core/presentation/meshfile/three_mf_encoder.cpp", "a format"},
-    {"core/presentation/painting/", "for developers"},
-    {"core/presentation/picture/", "names of fonts"},
+    {"core/presentation/gl_renderer/", "for developers"},
+    {"core/presentation/cairo_output/", "names of fonts"},
     {"core/presentation/report/mathml.cpp", "a format"},
     {"core/presentation/report/html_report.cpp", "a format"},
     {"core/presentation/simulators/mjcf.cpp", "a format, with comments for users of other programs"},
@@ -99,7 +99,7 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/presentation/simulators/urdf.cpp", "a format, with comments for users of other programs"},
     {"core/presentation/typeset/", "commands of TeX"},
     {"app/cli/serve", "the protocol of programs"},
-    {"ui/crash/", "reports for developers"},
+    {"ui/recovery/", "reports for developers"},
     {"ui/mainwindow/about_dialog.cpp", "what developers ask for"},
 };
 

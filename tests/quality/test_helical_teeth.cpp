@@ -3,7 +3,7 @@
 #include <memory>
 #include <numbers>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/quality/section_checker.h"

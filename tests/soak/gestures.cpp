@@ -164,7 +164,7 @@ QPoint GestureSoak::onDrawing() {
     if (!list.outlines.empty()) {
       const Outline& outline =
           list.outlines[static_cast<std::size_t>(below(static_cast<int>(list.outlines.size())))];
-      const SheetPoint center = extentOf(outline.shape).center;
+      const CanvasPoint center = extentOf(outline.shape).center;
       return drawing.mapFromScene(QPointF(center.x, center.y));
     }
   }

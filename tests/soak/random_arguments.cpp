@@ -30,7 +30,7 @@ MeshId RandomArguments::mesh() {
   return idIn(m_mechanism.gearMeshes);
 }
 
-CouplingId RandomArguments::coupling() {
+ShiftElementId RandomArguments::coupling() {
   return idIn(m_mechanism.couplings);
 }
 
@@ -96,7 +96,7 @@ NumberTriple RandomArguments::triple() {
   return {number(), number(), number()};
 }
 
-SheetPoint RandomArguments::place() {
+CanvasPoint RandomArguments::place() {
   return {below(180'000) / 100.0 - 900, below(120'000) / 100.0 - 600};
 }
 

@@ -13,12 +13,12 @@
 #include "core/design/synthesis/planets.h"
 #include "core/design/synthesis/reverted_train.h"
 #include "core/design/synthesis/shifting_sets.h"
-#include "core/machine/bodies/complete_train.h"
-#include "core/mechanism/fitting/axis_choice.h"
-#include "core/mechanism/fitting/axis_drag.h"
-#include "core/mechanism/fitting/fitted_edits.h"
-#include "core/mechanism/fitting/mesh_snap.h"
-#include "core/mechanism/fitting/module_fit.h"
+#include "core/machine/body_layout/complete_train.h"
+#include "core/mechanism/geometry_edits/axis_choice.h"
+#include "core/mechanism/geometry_edits/axis_drag.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
+#include "core/mechanism/geometry_edits/mesh_snap.h"
+#include "core/mechanism/geometry_edits/module_fit.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
@@ -44,8 +44,8 @@ MeshKind meshKind(Random& random) {
   return static_cast<MeshKind>(random.below(3));
 }
 
-std::vector<std::pair<LinkId, SheetPoint>> places(Random& random) {
-  std::vector<std::pair<LinkId, SheetPoint>> moved(static_cast<std::size_t>(1 + random.below(3)));
+std::vector<std::pair<LinkId, CanvasPoint>> places(Random& random) {
+  std::vector<std::pair<LinkId, CanvasPoint>> moved(static_cast<std::size_t>(1 + random.below(3)));
   for (auto& [link, place] : moved) {
     link = random.link();
     place = random.place();
@@ -57,7 +57,7 @@ NoteId note(Random& random) {
   return NoteId("N" + std::to_string(1 + random.below(4)));
 }
 
-std::vector<std::pair<NoteId, SheetPoint>> notePlaces(Random& random) {
+std::vector<std::pair<NoteId, CanvasPoint>> notePlaces(Random& random) {
   return {{note(random), random.place()}, {note(random), random.place()}};
 }
 
@@ -70,12 +70,12 @@ std::vector<Input> inputs(Random& random) {
 }
 
 /// A sheet on which every axis has a line; where they lie is for the edits to cope with.
-SheetFrame sheet(Random& random) {
-  SheetFrame frame;
+CanvasFrame sheet(Random& random) {
+  CanvasFrame frame;
   frame.scale = 1 + random.below(6);
   for (const Axis& axis : random.mechanism().axes) {
     const bool upright = random.oneIn(3);
-    frame.axes.push_back({axis.id, random.place(), upright ? SheetPoint{0, 1} : SheetPoint{1, 0}});
+    frame.axes.push_back({axis.id, random.place(), upright ? CanvasPoint{0, 1} : CanvasPoint{1, 0}});
   }
   return frame;
 }
@@ -378,8 +378,8 @@ std::vector<EditKind> numberEdits() {
   };
 }
 
-std::vector<CouplingId> someCouplings(Random& random) {
-  std::vector<CouplingId> couplings;
+std::vector<ShiftElementId> someCouplings(Random& random) {
+  std::vector<ShiftElementId> couplings;
   for (int i = random.below(4); i > 0; --i) couplings.push_back(random.coupling());
   return couplings;
 }

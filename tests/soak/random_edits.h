@@ -28,7 +28,7 @@ class RandomArguments {
   [[nodiscard]] AxisId axis();
   [[nodiscard]] JointId joint();
   [[nodiscard]] MeshId mesh();
-  [[nodiscard]] CouplingId coupling();
+  [[nodiscard]] ShiftElementId coupling();
   /// The position of a state. @pre there are states
   [[nodiscard]] int state();
   [[nodiscard]] ElementId element();
@@ -39,7 +39,7 @@ class RandomArguments {
   /// Whole numbers, decimals as they are typed ("0.10", "1e-3"), fractions with long numerators.
   [[nodiscard]] Number number();
   [[nodiscard]] NumberTriple triple();
-  [[nodiscard]] SheetPoint place();
+  [[nodiscard]] CanvasPoint place();
   /// A name: empty, with quotes, of other scripts, of thousands of characters.
   [[nodiscard]] std::string text();
   /// An id out of a small supply, so that some collide.

@@ -20,14 +20,14 @@ decltype(Load::action) loadAction(Random& random) {
   }
 }
 
-std::optional<std::vector<Balance>> balances(Random& random) {
+std::optional<std::vector<HoldingTorque>> balances(Random& random) {
   if (random.oneIn(3)) return std::nullopt;
-  std::vector<Balance> found(static_cast<std::size_t>(random.below(3)));
-  for (Balance& balance : found) {
+  std::vector<HoldingTorque> found(static_cast<std::size_t>(random.below(3)));
+  for (HoldingTorque& balance : found) {
     if (random.oneIn(2)) {
       balance.at = random.joint();
     } else {
-      balance.at = Balance::OnLink{random.link(), random.maybe(random.axis())};
+      balance.at = HoldingTorque::OnLink{random.link(), random.maybe(random.axis())};
     }
   }
   return found;

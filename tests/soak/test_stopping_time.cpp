@@ -10,7 +10,7 @@
 #include <future>
 #include <thread>
 
-#include "tests/core/presentation/train_stage/stoppable_works.h"
+#include "tests/core/presentation/mechanism_scene/stoppable_works.h"
 
 namespace geargraph {
 namespace {

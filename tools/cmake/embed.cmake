@@ -1,8 +1,8 @@
-# geargraph_embed(OUT HEADER NAMESPACE FUNCTION files...): a source that answers FUNCTION() with the bytes of the files, as
+# geargraph_embed(OUT HEADER FUNCTION files...): a source that answers FUNCTION() with the bytes of the files, as
 # a std::span of spans, so that they are part of the program and always exist.
-function(geargraph_embed out header namespace function)
+function(geargraph_embed out header function)
   set(names "")
-  set(text "#include \"${header}\"\n\nnamespace geargraph::inline ${namespace} {\nnamespace {\n")
+  set(text "#include \"${header}\"\n\nnamespace geargraph {\nnamespace {\n")
   foreach(file IN LISTS ARGN)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} bytes HEX)
@@ -15,6 +15,6 @@ function(geargraph_embed out header namespace function)
   endforeach()
   list(JOIN names ", " list)
   string(APPEND text "constexpr std::span<const unsigned char> kFiles[] = {${list}};\n}  // namespace\n\n"
-    "std::span<const std::span<const unsigned char>> ${function}() {\n  return kFiles;\n}\n\n}  // namespace geargraph::inline ${namespace}\n")
+    "std::span<const std::span<const unsigned char>> ${function}() {\n  return kFiles;\n}\n\n}  // namespace geargraph\n")
   file(CONFIGURE OUTPUT ${out} CONTENT "${text}" @ONLY)
 endfunction()

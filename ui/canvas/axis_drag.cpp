@@ -3,11 +3,11 @@
 #include <QCursor>
 #include <QMenu>
 
-#include "core/mechanism/fitting/axis_drag.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/axis_drag.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QString lengthText(double length, const Mechanism& mechanism) {
@@ -115,6 +115,6 @@ void AxisDrag::end() {
   emit ended();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_axis_drag.cpp"

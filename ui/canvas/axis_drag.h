@@ -9,7 +9,7 @@
 
 class QWidget;
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Drags an axis, in any view, as one undo step. Every edit starts from the document before the drag, so that
 /// a rejected edit leaves the last valid one. After the drop, a menu offers tooth counts that bring the axis
@@ -55,4 +55,4 @@ class AxisDrag final : public QObject {
   std::optional<Drag> m_drag;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

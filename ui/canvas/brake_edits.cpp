@@ -8,7 +8,7 @@
 #include "core/theory/states/state_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -18,7 +18,7 @@ QString tr(const char* text) {
 /// The coupling that was added is engaged at once.
 Expected<Mechanism> withLastEngaged(Expected<Mechanism> added) {
   if (!added) return added;
-  const CouplingId coupling = added->couplings.back().id;
+  const ShiftElementId coupling = added->couplings.back().id;
   return withCouplingEngaged(*std::move(added), coupling, true);
 }
 
@@ -36,17 +36,17 @@ Edit clutchEdit(LinkId one, LinkId other) {
       0};
 }
 
-Edit engageEdit(const Mechanism& now, CouplingId coupling, bool engaged) {
+Edit engageEdit(const Mechanism& now, ShiftElementId coupling, bool engaged) {
   return {(engaged ? tr("Engage %1") : tr("Release %1")).arg(describe(now, {coupling})),
           [=](const Mechanism& mechanism) { return withCouplingEngaged(mechanism, coupling, engaged); }, 0};
 }
 
 Edit toggleBrakeEdit(const Mechanism& now, LinkId link) {
-  const auto brake = std::find_if(now.couplings.begin(), now.couplings.end(), [&](const Coupling& each) {
-    return each.kind == CouplingKind::brake && each.links.front() == link;
+  const auto brake = std::find_if(now.couplings.begin(), now.couplings.end(), [&](const ShiftElement& each) {
+    return each.kind == ShiftElementKind::brake && each.links.front() == link;
   });
   if (brake == now.couplings.end()) return brakeEdit(now, link);
   return engageEdit(now, brake->id, !isEngaged(now, brake->id));
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

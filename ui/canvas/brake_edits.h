@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 // Edits of brakes and clutches, to be applied or only previewed (MenuPreview).
 
@@ -10,8 +10,8 @@ namespace geargraph::inline canvas {
 [[nodiscard]] Edit brakeEdit(const Mechanism& now, LinkId link);
 /// Adds an engaged clutch that makes both links turn as one.
 [[nodiscard]] Edit clutchEdit(LinkId one, LinkId other);
-[[nodiscard]] Edit engageEdit(const Mechanism& now, CouplingId coupling, bool engaged);
+[[nodiscard]] Edit engageEdit(const Mechanism& now, ShiftElementId coupling, bool engaged);
 /// Engages or releases the brake of the link; adds one if it has none.
 [[nodiscard]] Edit toggleBrakeEdit(const Mechanism& now, LinkId link);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

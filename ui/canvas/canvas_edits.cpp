@@ -7,7 +7,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -97,9 +97,9 @@ QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements
     case ElementKind::axis:
       return tr("axis %1").arg(label);
     case ElementKind::coupling: {
-      const Coupling* coupling = mechanism.find(CouplingId(element.id));
+      const ShiftElement* coupling = mechanism.find(ShiftElementId(element.id));
       return QString::fromStdString(
-          couplingName(coupling == nullptr ? CouplingKind::clutch : coupling->kind, label.toStdString()));
+          couplingName(coupling == nullptr ? ShiftElementKind::clutch : coupling->kind, label.toStdString()));
     }
     case ElementKind::note:
       return tr("note");
@@ -117,7 +117,7 @@ QString describeFully(const Mechanism& mechanism, const ElementId& element) {
     return text;
   }
   if (element.kind == ElementKind::note) {
-    const SheetNote* note = mechanism.find(NoteId(element.id));
+    const CanvasNote* note = mechanism.find(NoteId(element.id));
     return note == nullptr ? text : text + ": " + QString::fromStdString(note->text);
   }
   const auto ends = [&](LinkId tail, LinkId head) {
@@ -125,11 +125,11 @@ QString describeFully(const Mechanism& mechanism, const ElementId& element) {
         .arg(QString::fromStdString(*labelOf(mechanism, tail)),
              QString::fromStdString(*labelOf(mechanism, head)));
   };
-  if (const Coupling* coupling = mechanism.find(CouplingId(element.id));
+  if (const ShiftElement* coupling = mechanism.find(ShiftElementId(element.id));
       coupling != nullptr && element == ElementId(coupling->id)) {
     QStringList links;
     for (const LinkId link : coupling->links) links << QString::fromStdString(*labelOf(mechanism, link));
-    return text + (coupling->kind == CouplingKind::brake
+    return text + (coupling->kind == ShiftElementKind::brake
                        ? tr(": holds link %1 while it is engaged").arg(links.join(QString()))
                        : tr(": links %1 turn as one while it is engaged").arg(links.join(tr(" and "))));
   }
@@ -145,4 +145,4 @@ QString describeFully(const Mechanism& mechanism, const ElementId& element) {
   return text;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placed_mechanism.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The turning joint that carries a link: the one towards the ground, or the only candidate while the tree is
 /// incomplete. Without one, `why` has the reason for a menu.
@@ -41,4 +41,4 @@ struct CarryingJoint {
 /// With its links, axis and teeth: "Turning joint 12 from link 1 to link 2, axis c, driven".
 [[nodiscard]] QString describeFully(const Mechanism& mechanism, const ElementId& element);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

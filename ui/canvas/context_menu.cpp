@@ -11,7 +11,7 @@
 #include "ui/canvas/menu_preview.h"
 #include "ui/models/axis_choices.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -37,8 +37,9 @@ void addTick(QMenu& menu, const QString& text, bool on, const std::function<void
   QObject::connect(entry, &QAction::triggered, &menu, [action](bool now) { action(now); });
 }
 
-const Coupling* couplingOf(const Mechanism& mechanism, CouplingKind kind, const std::set<LinkId>& links) {
-  for (const Coupling& coupling : mechanism.couplings) {
+const ShiftElement* couplingOf(const Mechanism& mechanism, ShiftElementKind kind,
+                               const std::set<LinkId>& links) {
+  for (const ShiftElement& coupling : mechanism.couplings) {
     if (coupling.kind == kind && std::set<LinkId>(coupling.links.begin(), coupling.links.end()) == links)
       return &coupling;
   }
@@ -46,7 +47,8 @@ const Coupling* couplingOf(const Mechanism& mechanism, CouplingKind kind, const 
 }
 
 /// To engage a coupling, or to release it.
-void addEngage(QMenu& menu, const Mechanism& mechanism, CouplingId coupling, const ContextActions& actions) {
+void addEngage(QMenu& menu, const Mechanism& mechanism, ShiftElementId coupling,
+               const ContextActions& actions) {
   const bool isNow = isEngaged(mechanism, coupling);
   const QString what = describe(mechanism, {coupling});
   QAction* entry = add(menu, (isNow ? tr("Release %1") : tr("Engage %1")).arg(what), {},
@@ -56,7 +58,7 @@ void addEngage(QMenu& menu, const Mechanism& mechanism, CouplingId coupling, con
 
 void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
   const bool ground = mechanism.links.front().id == link;
-  if (const Coupling* brake = couplingOf(mechanism, CouplingKind::brake, {link})) {
+  if (const ShiftElement* brake = couplingOf(mechanism, ShiftElementKind::brake, {link})) {
     const ElementId id = brake->id;
     addEngage(menu, mechanism, brake->id, actions);
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
@@ -80,7 +82,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   }
   const LinkId one = links[0];
   const LinkId other = links[1];
-  if (const Coupling* clutch = couplingOf(mechanism, CouplingKind::clutch, {one, other})) {
+  if (const ShiftElement* clutch = couplingOf(mechanism, ShiftElementKind::clutch, {one, other})) {
     const ElementId id = clutch->id;
     addEngage(menu, mechanism, clutch->id, actions);
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
@@ -189,7 +191,7 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   } else if (element->kind == ElementKind::axis) {
     fillForAxis(menu, mechanism, AxisId(element->id), actions);
   } else if (element->kind == ElementKind::coupling) {
-    addEngage(menu, mechanism, CouplingId(element->id), actions);
+    addEngage(menu, mechanism, ShiftElementId(element->id), actions);
     add(menu, tr("Take it off"), {},
         [removeCoupling = actions.removeCoupling, id = *element] { removeCoupling(id); });
   } else if (element->kind == ElementKind::note) {
@@ -200,4 +202,4 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   }
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -4,12 +4,12 @@
 #include <optional>
 #include <set>
 
-#include "core/mechanism/fitting/axis_choice.h"
+#include "core/mechanism/geometry_edits/axis_choice.h"
 #include "core/mechanism/model/mechanism.h"
 
 class QMenu;
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The actions of a context menu, implemented by the view. Entries for adding links and tidying appear only
 /// if their actions are set.
@@ -27,7 +27,7 @@ struct ContextActions {
   std::function<void(bool)> flipSide;                    ///< of a bevel mesh: its tail or its head
   std::function<void()> addBrake;                        ///< the link, with a new brake
   std::function<void(LinkId, LinkId)> addClutch;         ///< two links, with a new clutch
-  std::function<void(CouplingId, bool)> engage;          ///< or release a brake or a clutch
+  std::function<void(ShiftElementId, bool)> engage;      ///< or release a brake or a clutch
   std::function<void(const ElementId&)> removeCoupling;  ///< removes a brake or a clutch
   std::function<void()> remove;
   std::function<void()> open;  ///< opens the in-place editor of the note
@@ -43,4 +43,4 @@ struct ContextActions {
 void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optional<ElementId>& element,
                      const ContextActions& actions);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

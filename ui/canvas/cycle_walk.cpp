@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 std::optional<CycleWalk> cycleWalk(const AnalysisSnapshot& snapshot, MeshId mesh) {
   if (!snapshot.tree || !snapshot.graph) return std::nullopt;
@@ -26,4 +26,4 @@ std::optional<CycleWalk> cycleWalk(const AnalysisSnapshot& snapshot, MeshId mesh
   return walk;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// A row of the cycle-basis matrix as a highlighted walk in the drawing [AU, Eq. (5)].
 struct CycleWalk {
@@ -17,4 +17,4 @@ struct CycleWalk {
 /// if there is no such mesh or no tree.
 [[nodiscard]] std::optional<CycleWalk> cycleWalk(const AnalysisSnapshot& snapshot, MeshId mesh);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/note_marks.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 12 ms
@@ -19,7 +19,7 @@ std::size_t outlinesOf(const EdgePlace&) {
 std::size_t outlinesOf(const NodePlace& node) {
   return node.input ? 2 : 1;
 }
-std::size_t outlinesOf(const CouplingPlace&) {
+std::size_t outlinesOf(const ShiftElementPlace&) {
   return 2;
 }
 std::size_t outlinesOf(const NotePlace&) {
@@ -34,9 +34,10 @@ bool hasSameOutlines(const DigraphGeometry& a, const DigraphGeometry& b) {
   };
   return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), sameEdge) &&
          std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), sameNode) &&
-         std::equal(
-             a.couplings.begin(), a.couplings.end(), b.couplings.begin(), b.couplings.end(),
-             [](const CouplingPlace& x, const CouplingPlace& y) { return x.coupling == y.coupling; }) &&
+         std::equal(a.couplings.begin(), a.couplings.end(), b.couplings.begin(), b.couplings.end(),
+                    [](const ShiftElementPlace& x, const ShiftElementPlace& y) {
+                      return x.coupling == y.coupling;
+                    }) &&
          std::equal(a.notes.begin(), a.notes.end(), b.notes.begin(), b.notes.end(),
                     [](const NotePlace& x, const NotePlace& y) { return x.note == y.note; });
 }
@@ -86,7 +87,7 @@ void DigraphScene::drawAll() {
   if (size <= kLarge) {
     putUp(size);
   } else if (!isUnderWay) {
-    Turns::instance().later(this, [this] { putUpSlice(); });
+    GuiTaskQueue::instance().later(this, [this] { putUpSlice(); });
   }  // else the next slice comes by itself
 }
 
@@ -108,7 +109,7 @@ void DigraphScene::putUpSlice() {
   if (isDrawn()) {
     emit drawn();
   } else {
-    Turns::instance().later(this, [this] { putUpSlice(); });
+    GuiTaskQueue::instance().later(this, [this] { putUpSlice(); });
   }
 }
 
@@ -191,7 +192,7 @@ std::vector<Outline> DigraphScene::draw(const EdgePlace& edge) {
   return outlines;
 }
 
-std::vector<Outline> DigraphScene::draw(const CouplingPlace& place) {
+std::vector<Outline> DigraphScene::draw(const ShiftElementPlace& place) {
   DisplayList drawing = couplingDrawing(place, emphasisOf(emphases(), place.coupling));
   std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(place.coupling, std::move(drawing), kLineDepth);
@@ -225,6 +226,6 @@ DrawingScene::Draw DigraphScene::drawing() const {
   return [geometry = m_geometry](const Emphases& emphases) { return digraphDrawing(*geometry, emphases); };
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_digraph_scene.cpp"

@@ -7,7 +7,7 @@
 #include "ui/canvas/drawing_scene.h"
 #include "ui/service/turns.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 using DigraphGeometryPtr = std::shared_ptr<const DigraphGeometry>;
 
@@ -52,7 +52,7 @@ class DigraphScene final : public DrawingScene {
   std::vector<Outline> drawAt(std::size_t at);
   std::vector<Outline> draw(const NodePlace& node);
   std::vector<Outline> draw(const EdgePlace& edge);
-  std::vector<Outline> draw(const CouplingPlace& place);
+  std::vector<Outline> draw(const ShiftElementPlace& place);
   std::vector<Outline> draw(const NotePlace& place);
 
   NodePositions m_positions;
@@ -64,7 +64,7 @@ class DigraphScene final : public DrawingScene {
   std::size_t m_staleCount = 0;
   std::size_t m_staleFrom = 0;  ///< index of the first stale one
   bool m_isMoving = false;      ///< some stale ones have moved
-  TurnOf m_sliceTurn{this, [this] { drawStaleSlice(); }};
+  CoalescedTask m_sliceTurn{this, [this] { drawStaleSlice(); }};
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -3,13 +3,13 @@
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/notes.h"
-#include "core/presentation/power_drawing/power_drawing.h"
-#include "core/presentation/power_drawing/torque_marks.h"
+#include "core/presentation/diagrams/power_drawing.h"
+#include "core/presentation/diagrams/torque_marks.h"
 #include "ui/canvas/cycle_walk.h"
 #include "ui/models/term_tips.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kLarge = 750;  ///< links, whose arrows take some 10 ms to place
@@ -30,19 +30,19 @@ DigraphView::DigraphView(Document* document, Selection* selection, QWidget* pare
   m_drawings->onAnswer(this, [this](const Drawing& drawing) {
     m_scene->show(drawing.places, drawing.geometry);
     emit redrawn();
-    tellWhenSettled();
+    emitSettledIfIdle();
   });
   connect(m_placer, &NodePlacer::placesFound, this, [this] {
     m_fitWhenDrawn = true;
     rebuild();
-    tellWhenSettled();
+    emitSettledIfIdle();
   });
   connect(m_placer, &NodePlacer::laidOut, this, [this](const NodePositions& positions) {
     m_fitWhenDrawn = true;
     place(positions);
-    tellWhenSettled();
+    emitSettledIfIdle();
   });
-  connect(m_scene, &DigraphScene::drawn, this, &DigraphView::tellWhenSettled);
+  connect(m_scene, &DigraphScene::drawn, this, &DigraphView::emitSettledIfIdle);
   rebuild();
   updateMessage();
 }
@@ -78,7 +78,7 @@ bool DigraphView::isSettled() const {
   return !m_placer->isSeeking() && m_drawings->isUpToDate() && m_scene->isDrawn();
 }
 
-void DigraphView::tellWhenSettled() {
+void DigraphView::emitSettledIfIdle() {
   updateMessage();
   if (!isSettled()) return;
   if (m_fitWhenDrawn) fit();
@@ -114,12 +114,12 @@ Expected<Mechanism> DigraphView::withMoved(const Mechanism& mechanism, const Nod
   return withNodesMoved(m_placer->adopted(mechanism), places);
 }
 
-Expected<Mechanism> DigraphView::withLinkAt(const Mechanism& mechanism, SheetPoint at) const {
+Expected<Mechanism> DigraphView::withLinkAt(const Mechanism& mechanism, CanvasPoint at) const {
   return withLink(m_placer->adopted(mechanism), at);
 }
 
 /// The places of the nodes are kept with it: the note may be about one of them.
-Expected<Mechanism> DigraphView::withNoteAt(const Mechanism& mechanism, SheetPoint at,
+Expected<Mechanism> DigraphView::withNoteAt(const Mechanism& mechanism, CanvasPoint at,
                                             const std::string& text) const {
   return withNote(m_placer->adopted(mechanism), at, text);
 }
@@ -140,6 +140,6 @@ ViewEntry digraphView() {
           }};
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_digraph_view.cpp"

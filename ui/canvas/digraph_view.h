@@ -5,7 +5,7 @@
 #include "ui/canvas/node_placer.h"
 #include "ui/service/service.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The digraph of the document, drawn and edited [AU, Fig. 2]. The fundamental cycle of the chosen mesh is
 /// highlighted as a walk.
@@ -35,8 +35,8 @@ class DigraphView final : public GraphView {
   [[nodiscard]] const NodePositions& positions() const override { return m_scene->positions(); }
   [[nodiscard]] Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                               const NodeMoves& places) const override;
-  [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
-  [[nodiscard]] Expected<Mechanism> withNoteAt(const Mechanism& mechanism, SheetPoint at,
+  [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, CanvasPoint at) const override;
+  [[nodiscard]] Expected<Mechanism> withNoteAt(const Mechanism& mechanism, CanvasPoint at,
                                                const std::string& text) const override;
 
  private:
@@ -52,7 +52,7 @@ class DigraphView final : public GraphView {
   };
   using Drawings = Service<Request, Drawing>;
 
-  void tellWhenSettled();
+  void emitSettledIfIdle();
 
   DigraphScene* m_scene;
   NodePlacer* m_placer;
@@ -63,4 +63,4 @@ class DigraphView final : public GraphView {
 
 [[nodiscard]] ViewEntry digraphView();
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 
 #include "ui/canvas/drawing_view.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 class ElementAccessible final : public QAccessibleInterface, public QAccessibleActionInterface {
@@ -163,4 +163,4 @@ void installDrawingAccessibility() {
   Q_UNUSED(once)
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr double kRoomAround = 20000;  ///< how far the sheet can be pulled beyond the drawing
@@ -157,6 +157,6 @@ void DrawingScene::setOverlay(DisplayList overlay) {
   m_overlay->setMarks(std::move(overlay.marks));
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_drawing_scene.cpp"

@@ -9,7 +9,7 @@
 #include "ui/canvas/mark_item.h"
 #include "ui/canvas/parts_item.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Shows a drawing on a scene: the marks of one element at one depth are one part, repainted only if changed.
 /// Picking uses outlines(), never the scene.
@@ -87,4 +87,4 @@ class DrawingScene : public QGraphicsScene {
   DisplayList m_underlayList;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -13,10 +13,10 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
-Theme themeOf(const QPalette& palette) {
+Theme currentTheme(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128 ? Theme::dark : Theme::light;
 }
 
@@ -45,7 +45,7 @@ DrawingView::DrawingView(Document* document, Selection* selection, DrawingScene*
   connect(document, &Document::replaced, this, &DrawingView::showAnotherDocument);
   connect(selection, &Selection::selectionChanged, this, &DrawingView::updateEmphases);
   connect(selection, &Selection::hoverChanged, this, &DrawingView::updateEmphases);
-  applyTheme(themeOf(palette()));
+  applyTheme(currentTheme(palette()));
 }
 
 // --- what is shown ----------------------------------------------------------------------------------------
@@ -133,7 +133,7 @@ void DrawingView::applyTheme(Theme theme) {
 }
 
 void DrawingView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && !m_themeChosen) applyTheme(themeOf(palette()));
+  if (event->type() == QEvent::PaletteChange && !m_themeChosen) applyTheme(currentTheme(palette()));
   QGraphicsView::changeEvent(event);
 }
 
@@ -388,7 +388,7 @@ QMenu* DrawingView::contextMenuAt(QPoint viewportPlace) {
   return contextMenuFor(elementUnder(viewportPlace), toSheetPoint(mapToScene(viewportPlace)));
 }
 
-QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, SheetPoint at) {
+QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, CanvasPoint at) {
   if (element && !m_selection->isSelected(*element)) m_selection->select({*element});
   const LinkId link = element ? LinkId(element->id) : LinkId();
   const MeshId mesh = element ? MeshId(element->id) : MeshId();
@@ -407,7 +407,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
   actions.addBrake = [this, link] { m_commands.addBrake(link); };
   actions.addClutch = [this](LinkId one, LinkId other) { m_commands.addClutch(one, other); };
-  actions.engage = [this](CouplingId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
+  actions.engage = [this](ShiftElementId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
   actions.removeCoupling = [this](const ElementId& coupling) { m_commands.removeCoupling(coupling); };
   actions.remove = [this] { deleteSelected(); };
   actions.selectAll = [this] { selectAll(); };
@@ -424,6 +424,6 @@ QString DrawingView::toolTipFor(const ElementId& element) const {
   return describeFully(mechanism(), element);
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_drawing_view.cpp"

@@ -10,19 +10,19 @@
 #include "ui/canvas/drawing_scene.h"
 #include "ui/canvas/element_commands.h"
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 #include "ui/tools/load_tool.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QMenu;
 
-namespace geargraph::inline power_drawing {
+namespace geargraph {
 struct PowerPicture;
 struct ShownTorque;
-}  // namespace geargraph::inline power_drawing
+}  // namespace geargraph
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The common base of drawings of the document. It zooms, pans and fits, highlights what is hovered and
 /// selected in any view, picks by the drawing's outlines, shows tool tips and menus, and carries out the
@@ -91,7 +91,7 @@ class DrawingView : public QGraphicsView, public ResultsView {
   /// The menu for the element at a point of the viewport; the caller owns it.
   [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
   /// The menu for an element shown by another view, or for the sheet; the caller owns it.
-  [[nodiscard]] QMenu* contextMenuFor(const std::optional<ElementId>& element, SheetPoint at);
+  [[nodiscard]] QMenu* contextMenuFor(const std::optional<ElementId>& element, CanvasPoint at);
   /// The lines in the box at the lower left, and those at the upper left.
   [[nodiscard]] QStringList caption() const;
   [[nodiscard]] QStringList notice() const { return m_notice; }
@@ -166,8 +166,8 @@ class DrawingView : public QGraphicsView, public ResultsView {
   /// The explanation of the caption's terms.
   [[nodiscard]] virtual QString captionToolTip() const { return {}; }
   /// May remove entries of the menu, or set its actions for adding a link and tidying the drawing.
-  virtual void adjustMenu(struct ContextActions&, SheetPoint /*at*/) {}
-  virtual void fillMenuFurther(QMenu&, const std::optional<ElementId>&, SheetPoint /*at*/) {}
+  virtual void adjustMenu(struct ContextActions&, CanvasPoint /*at*/) {}
+  virtual void fillMenuFurther(QMenu&, const std::optional<ElementId>&, CanvasPoint /*at*/) {}
   /// A double click with the Select tool.
   virtual void openElement(const ElementId& element);
 
@@ -183,7 +183,7 @@ class DrawingView : public QGraphicsView, public ResultsView {
   /// Where a stroke begun by Return ends immediately; std::nullopt: at the element of the next Return.
   [[nodiscard]] virtual std::optional<Pointer> keyStrokeEnd(const Pointer& begin) const;
   /// A place on the sheet near the middle of the view where nothing is drawn.
-  [[nodiscard]] SheetPoint freePlace() const;
+  [[nodiscard]] CanvasPoint freePlace() const;
 
   // For the drawing's use.
   [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
@@ -241,7 +241,7 @@ class DrawingView : public QGraphicsView, public ResultsView {
   bool toolKeyPressed(const QKeyEvent& event);
   bool walkKey(const QKeyEvent& event);
   void walk(int steps, bool add);
-  void walkTowards(SheetPoint direction, bool add);
+  void walkTowards(CanvasPoint direction, bool add);
   void clickCurrent();
   [[nodiscard]] QString whyNoLoadOn(const ElementId& element) const;
   /// The element of the load whose chip is at that point.
@@ -252,7 +252,7 @@ class DrawingView : public QGraphicsView, public ResultsView {
   void stepLoad(const ToolEvent& event);
   void pullLoad(const load_tool::PullTorque& pull);
   [[nodiscard]] bool isLoadDragged() const { return m_load.index() != 0; }
-  [[nodiscard]] std::optional<SheetPoint> middleOf(const ElementId& element) const;
+  [[nodiscard]] std::optional<CanvasPoint> middleOf(const ElementId& element) const;
   struct LineBox {
     QRect box;
     QStringList lines;  ///< elided to the available space
@@ -295,4 +295,4 @@ class DrawingView : public QGraphicsView, public ResultsView {
   std::optional<ElementId> m_current;  ///< the last element selected by the keyboard
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

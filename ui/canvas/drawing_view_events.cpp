@@ -10,7 +10,7 @@
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr double kReach = 3;  ///< px on screen around an arrow that still hit it
@@ -19,7 +19,7 @@ constexpr double kSlop = 4;   ///< px on screen that a click may wander
 }  // namespace
 
 std::optional<ElementId> DrawingView::elementUnder(QPointF viewportPlace) const {
-  const SheetPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
+  const CanvasPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
   const auto element = elementAt(m_scene->outlines(), place, kReach / scaleNow());
   return element ? element : elementAt(m_scene->underlay().outlines, place, 0);
 }
@@ -138,7 +138,7 @@ void DrawingView::contextMenuEvent(QContextMenuEvent* event) {
 /// with what was found for it.
 QString DrawingView::tipAt(const ElementId& element, QPointF viewportPlace) const {
   QString tip = toolTipFor(element);
-  const SheetPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
+  const CanvasPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
   const bool isUnder = !elementAt(m_scene->outlines(), place, 0);
   const auto further = m_underlayTips.find(element);
   if (isUnder && further != m_underlayTips.end()) tip += QLatin1Char('\n') + further->second;
@@ -184,4 +184,4 @@ void DrawingView::updateCursor() {
   viewport()->setCursor(pulling ? Qt::ClosedHandCursor : shape);
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -10,11 +10,11 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/place_grid.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 /// A point that lies on the shape.
-SheetPoint pointOn(const Shape& shape) {
+CanvasPoint pointOn(const Shape& shape) {
   if (const auto* curve = std::get_if<Curve>(&shape)) return curve->at(0.5);
   if (const auto* line = std::get_if<Polyline>(&shape); line != nullptr && !line->points.empty())
     return line->points[line->points.size() / 2];
@@ -191,7 +191,7 @@ std::optional<ElementId> DrawingView::currentElement() const {
   return first == nullptr ? std::nullopt : std::optional(*first);
 }
 
-std::optional<SheetPoint> DrawingView::middleOf(const ElementId& element) const {
+std::optional<CanvasPoint> DrawingView::middleOf(const ElementId& element) const {
   const std::vector<Outline>& outlines = m_scene->outlines();
   const auto found = std::find_if(outlines.begin(), outlines.end(),
                                   [&](const Outline& outline) { return outline.element == element; });
@@ -207,10 +207,10 @@ QRect DrawingView::boxOf(const ElementId& element) const {
   return box.isNull() ? QRect() : mapFromScene(box).boundingRect();
 }
 
-SheetPoint DrawingView::freePlace() const {
+CanvasPoint DrawingView::freePlace() const {
   constexpr double kStep = 90, kRoom = 50;
   constexpr int kRings = 60;
-  const SheetPoint middle = toSheetPoint(mapToScene(viewport()->rect().center()));
+  const CanvasPoint middle = toSheetPoint(mapToScene(viewport()->rect().center()));
   PlaceGrid taken(kRings);
   QRectF all;
   for (const Outline& outline : m_scene->outlines()) {
@@ -221,7 +221,7 @@ SheetPoint DrawingView::freePlace() const {
   }
   // Rings of places round the middle, then beside everything that is drawn.
   if (const auto free = taken.nearestFree())
-    return middle + SheetPoint{free->across * kStep, free->down * kStep};
+    return middle + CanvasPoint{free->across * kStep, free->down * kStep};
   return {all.right() + kStep, middle.y};
 }
 
@@ -237,14 +237,14 @@ void DrawingView::walk(int steps, bool add) {
 }
 
 /// The nearest one within an eighth of a turn to either side.
-void DrawingView::walkTowards(SheetPoint direction, bool add) {
+void DrawingView::walkTowards(CanvasPoint direction, bool add) {
   const std::optional<ElementId> current = currentElement();
   if (!current) return walk(1, add);
-  const SheetPoint from = *middleOf(*current);
+  const CanvasPoint from = *middleOf(*current);
   std::optional<ElementId> nearest;
   double least = 0;
   for (const Outline& outline : m_scene->outlines()) {
-    const SheetPoint way = pointOn(outline.shape) - from;
+    const CanvasPoint way = pointOn(outline.shape) - from;
     const double along = dot(way, direction);
     const double aside = std::abs(way.x * direction.y - way.y * direction.x);
     if (outline.element == *current || outline.element.id.empty() || along <= aside || along <= 0) continue;
@@ -322,4 +322,4 @@ bool DrawingView::walkKey(const QKeyEvent& event) {
   }
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 /// What a drag changes a torque by at a time: a tenth of its power of ten, 1 N m for none.
@@ -50,7 +50,7 @@ void DrawingView::editLoad() {
   editor->setPlaceholderText(tr("10 Nm"));
   editor->setAccessibleName(tr("Torque that acts here"));
   constexpr QSize kSize(110, 26);
-  const SheetPoint middle = extentOf(drawn->shape).center;
+  const CanvasPoint middle = extentOf(drawn->shape).center;
   editor->setGeometry(
       QRect(mapFromScene(QPointF(middle.x, middle.y)) - QPoint(kSize.width() / 2, -12), kSize));
   connect(editor, &RenameEditor::taken, this, [this, element](const QString& text) {
@@ -61,7 +61,7 @@ void DrawingView::editLoad() {
 }
 
 std::optional<ElementId> DrawingView::loadUnder(QPointF viewportPlace) const {
-  const SheetPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
+  const CanvasPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
   if (elementAt(m_scene->outlines(), place, 0)) return std::nullopt;
   const auto element = elementAt(m_scene->underlay().outlines, place, 0);
   const bool isOne = element && whyNoLoadOn(*element).isEmpty() && m_commands.hasTorque(*element);
@@ -128,4 +128,4 @@ void DrawingView::pullLoad(const load_tool::PullTorque& pull) {
   setHint(tr("%1 N m. %2").arg(QString::fromStdString(torque.text()), words(load_tool::hint(m_load))));
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

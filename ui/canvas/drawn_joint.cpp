@@ -7,7 +7,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 /// Has it the teeth and the kind of a mesh that nothing is known of?
@@ -64,4 +64,4 @@ Expected<PlacedMechanism> withDrawnJoint(const Mechanism& before, LinkId tail, L
   return drawn ? withMeshesGuessedAgain(*drawn) : drawn;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placed_mechanism.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Adds a drawn turning joint. For meshes that were drawn before their joints, and that have no carrier with
 /// joints on distinct axes, axes are guessed again as by withDrawnMesh(), and so are teeth and kind if the
@@ -13,4 +13,4 @@ namespace geargraph::inline canvas {
 /// the joints are a spanning tree.
 [[nodiscard]] Expected<PlacedMechanism> withDrawnJoint(const Mechanism& before, LinkId tail, LinkId head);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

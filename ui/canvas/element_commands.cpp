@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/axis_letters.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
@@ -15,7 +15,7 @@
 #include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -23,7 +23,7 @@ QString tr(const char* text) {
 }
 
 /// A place next to a link's node with room for another one; nothing where nodes are placed by the program.
-std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
+std::optional<CanvasPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
   constexpr double kDistance = 120;
   constexpr double kRoom = 70;
   const auto node = mechanism.view.nodes.find(link);
@@ -37,7 +37,7 @@ std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
                                {-0.7, -0.7},
                                {-0.7, 0.7},
                                {-1.0, 0.0}}) {
-      const SheetPoint place{node->second.x + x * distance, node->second.y + y * distance};
+      const CanvasPoint place{node->second.x + x * distance, node->second.y + y * distance};
       const bool free =
           std::none_of(mechanism.view.nodes.begin(), mechanism.view.nodes.end(), [&](const auto& other) {
             return std::hypot(other.second.x - place.x, other.second.y - place.y) < kRoom;
@@ -45,7 +45,7 @@ std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
       if (free) return place;
     }
   }
-  return SheetPoint{node->second.x + kDistance, node->second.y};
+  return CanvasPoint{node->second.x + kDistance, node->second.y};
 }
 
 /// The position of the torque load in the joint or on the link; -1: there is none.
@@ -119,7 +119,7 @@ void ElementCommands::selectAll(bool notes) {
   for (const Link& link : mechanism.links) all.insert(link.id);
   for (const TurningJoint& joint : mechanism.turningJoints) all.insert(joint.id);
   for (const GearMesh& mesh : mechanism.gearMeshes) all.insert(mesh.id);
-  for (const SheetNote& note : mechanism.view.notes) {
+  for (const CanvasNote& note : mechanism.view.notes) {
     if (notes) all.insert(note.id);
   }
   m_selection.select(std::move(all));
@@ -176,7 +176,7 @@ QString ElementCommands::attachGear(LinkId link) {
   if (!carrying.joint) return tr("No gear can be attached: %1").arg(carrying.why);
   const TurningJoint& joint = *now.find(*carrying.joint);
   const LinkId carrier = joint.head == link ? joint.tail : joint.head;
-  const std::optional<SheetPoint> at = placeBeside(now, link);
+  const std::optional<CanvasPoint> at = placeBeside(now, link);
   apply(tr("Attach gear to %1").arg(describe(now, {link})), [link, carrier, at](const Mechanism& mechanism) {
     return withGearAttached(mechanism, link, carrier, at);
   });
@@ -217,7 +217,7 @@ void ElementCommands::addClutch(LinkId one, LinkId other) {
   m_document.apply(clutchEdit(one, other));
 }
 
-void ElementCommands::engage(CouplingId coupling, bool engaged) {
+void ElementCommands::engage(ShiftElementId coupling, bool engaged) {
   m_document.apply(engageEdit(*m_document.mechanism(), coupling, engaged));
 }
 
@@ -228,10 +228,10 @@ void ElementCommands::toggleBrake(LinkId link) {
 void ElementCommands::removeCoupling(const ElementId& coupling) {
   apply(tr("Take off %1").arg(describe(*m_document.mechanism(), {coupling})),
         [coupling](const Mechanism& mechanism) -> Expected<Mechanism> {
-          Expected<Mechanism> released = withCouplingEngaged(mechanism, CouplingId(coupling.id), false);
+          Expected<Mechanism> released = withCouplingEngaged(mechanism, ShiftElementId(coupling.id), false);
           if (!released) return released;
           return withoutElements(*std::move(released), std::vector<ElementId>{coupling});
         });
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

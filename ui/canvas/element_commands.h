@@ -2,11 +2,11 @@
 
 #include <QString>
 
-#include "core/mechanism/fitting/axis_choice.h"
+#include "core/mechanism/geometry_edits/axis_choice.h"
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Sets the torque in a joint or on a link, N m, replacing an existing one.
 /// @pre the element is one of either kind
@@ -39,7 +39,7 @@ class ElementCommands {
   void flipSide(MeshId mesh, bool ofTail);                ///< of a bevel: to the other side of the apex
   void addBrake(LinkId link);                             ///< with a new brake that is engaged
   void addClutch(LinkId one, LinkId other);               ///< with a new clutch that is engaged
-  void engage(CouplingId coupling, bool engaged);
+  void engage(ShiftElementId coupling, bool engaged);
   /// Engages or releases the brake of the link; adds one if it has none.
   void toggleBrake(LinkId link);
   void removeCoupling(const ElementId& coupling);
@@ -58,4 +58,4 @@ class ElementCommands {
   Selection& m_selection;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "core/theory/ttgraph/mesh_words.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -52,4 +52,4 @@ std::optional<FCircuits> fCircuits(const TtGraph& graph, int mesh) {
   return circuits;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/palette.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The two fundamental circuits of a mesh as highlighted walks in the T-T graph [AU, Fig. 6], and its
 /// equations as text: each walk along its chord from the gear to the carrier and back through the branches.
@@ -19,4 +19,4 @@ struct FCircuits {
 /// std::nullopt if the mesh has no transfer vertex. @pre the mesh is in the graph
 [[nodiscard]] std::optional<FCircuits> fCircuits(const TtGraph& graph, int mesh);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -12,7 +12,7 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/note_editor.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 bool isMesh(const ElementId& element) {
@@ -122,7 +122,7 @@ void GraphView::toggleInputs() {
   m_controller->toggleInputs(selection().selected());
 }
 
-void GraphView::adjustMenu(ContextActions& actions, SheetPoint at) {
+void GraphView::adjustMenu(ContextActions& actions, CanvasPoint at) {
   actions.addLink = [this, at] { m_controller->addLink(at); };
   if (showsNotes()) actions.addNote = [this, at] { openNoteEditor(at); };
   actions.tidy = [this] { tidy(); };
@@ -148,19 +148,19 @@ bool GraphView::cancel() {
 
 // --- notes ------------------------------------------------------------------------------------------------
 
-Expected<Mechanism> GraphView::withNoteAt(const Mechanism& mechanism, SheetPoint at,
+Expected<Mechanism> GraphView::withNoteAt(const Mechanism& mechanism, CanvasPoint at,
                                           const std::string& text) const {
   return withNote(mechanism, at, text);
 }
 
 void GraphView::openElement(const ElementId& element) {
-  const SheetNote* const note =
+  const CanvasNote* const note =
       element.kind == ElementKind::note ? mechanism().find(NoteId(element.id)) : nullptr;
   note != nullptr ? openNoteEditor(note->at, note->id) : DrawingView::openElement(element);
 }
 
-void GraphView::openNoteEditor(SheetPoint at, const std::optional<NoteId>& note) {
-  const SheetNote* const known = note ? mechanism().find(*note) : nullptr;
+void GraphView::openNoteEditor(CanvasPoint at, const std::optional<NoteId>& note) {
+  const CanvasNote* const known = note ? mechanism().find(*note) : nullptr;
   if (note && known == nullptr) return;
   if (known != nullptr) at = known->at;
   const QString before = known != nullptr ? QString::fromStdString(known->text) : QString();
@@ -174,7 +174,7 @@ void GraphView::openNoteEditor(SheetPoint at, const std::optional<NoteId>& note)
   openInPlace(editor, this, document());
 }
 
-void GraphView::takeNote(SheetPoint at, const std::optional<NoteId>& note, const std::string& text) {
+void GraphView::takeNote(CanvasPoint at, const std::optional<NoteId>& note, const std::string& text) {
   if (!note) {
     const bool done = document().apply(
         {tr("Add note"), [this, at, text](const Mechanism& before) { return withNoteAt(before, at, text); },
@@ -218,6 +218,6 @@ void GraphView::drawBackground(QPainter* painter, const QRectF& rect) {
   painter->restore();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_graph_view.cpp"

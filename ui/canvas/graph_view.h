@@ -4,7 +4,7 @@
 #include "ui/canvas/node_sheet.h"
 #include "ui/canvas/tool_controller.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// A drawing in which links are nodes: all tools of the tool bar apply.
 class GraphView : public DrawingView, protected NodeSheet {
@@ -19,7 +19,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   void setGrid(bool on) override;
   [[nodiscard]] bool showsNotes() const override { return false; }  // overrides both bases
   /// Opens the in-place editor for a new note centred at `at`, or for the text of `note`.
-  void openNoteEditor(SheetPoint at, const std::optional<NoteId>& note = {});
+  void openNoteEditor(CanvasPoint at, const std::optional<NoteId>& note = {});
 
   /// Highlights the circuit of this mesh. With an empty id the view decides: the mesh of a completely hovered
   /// cycle (a row of C in the matrices), else a mesh that is selected alone.
@@ -36,7 +36,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void drawBackground(QPainter* painter, const QRectF& rect) override;
-  void adjustMenu(ContextActions& actions, SheetPoint at) override;
+  void adjustMenu(ContextActions& actions, CanvasPoint at) override;
   void openElement(const ElementId& element) override;
   void pressed(const Pointer& pointer) override;
   void moved(const Pointer& pointer) override;
@@ -53,14 +53,14 @@ class GraphView : public DrawingView, protected NodeSheet {
   void place(const NodePositions& positions) { m_controller->place(positions); }
 
   /// Adds a note, if the drawing shows notes.
-  [[nodiscard]] virtual Expected<Mechanism> withNoteAt(const Mechanism& mechanism, SheetPoint at,
+  [[nodiscard]] virtual Expected<Mechanism> withNoteAt(const Mechanism& mechanism, CanvasPoint at,
                                                        const std::string& text) const;
 
   [[nodiscard]] const std::vector<Outline>& outlines() const override { return m_sheet->outlines(); }
   void setOverlay(DisplayList overlay) override { m_sheet->setOverlay(std::move(overlay)); }
 
  private:
-  void takeNote(SheetPoint at, const std::optional<NoteId>& note, const std::string& text);
+  void takeNote(CanvasPoint at, const std::optional<NoteId>& note, const std::string& text);
 
   DrawingScene* m_sheet;
   ToolController* m_controller;
@@ -68,4 +68,4 @@ class GraphView : public DrawingView, protected NodeSheet {
   bool m_showsCircuits = true;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "ui/document/document.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Shows an editor of this document in a drawing, with the keyboard, which returns to the drawing when the
 /// editor is gone. It is cancelled when the document is replaced, which it is not about.
@@ -17,4 +17,4 @@ void openInPlace(Editor* editor, QWidget* drawing, const Document& document) {
   editor->setFocus();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 MarkItem::MarkItem(double depth, const Theme& theme) : m_theme(theme) {
   setZValue(depth);
@@ -26,4 +26,4 @@ void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   paintMarks(*painter, m_marks, m_theme, scale);
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

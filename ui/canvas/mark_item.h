@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Some marks of a display list on a scene: a node, an arrow, a halo, or the overlay. Not used for picking,
 /// which uses the outlines of the display list.
@@ -25,4 +25,4 @@ class MarkItem final : public QGraphicsItem {
   const Theme& m_theme;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr double kSmallestText = 4;     ///< px on screen
@@ -61,8 +61,8 @@ std::optional<VisiblePart> visiblePart(const QPainter& painter, const Curve& cur
   double hidden = 0;
   double travelled = 0;
   for (int i = 0; i < kPieces; ++i) {
-    const SheetPoint from = curve.at(static_cast<double>(i) / kPieces);
-    const SheetPoint to = curve.at(static_cast<double>(i + 1) / kPieces);
+    const CanvasPoint from = curve.at(static_cast<double>(i) / kPieces);
+    const CanvasPoint to = curve.at(static_cast<double>(i + 1) / kPieces);
     if (seen.meetsSegment(from, to)) {
       if (last < 0) hidden = travelled;
       first = std::min(first, i);
@@ -92,7 +92,7 @@ struct ShapePainter {
       return;
     }
     QPolygonF points;
-    for (const SheetPoint p : line.points) points << toQPoint(p);
+    for (const CanvasPoint p : line.points) points << toQPoint(p);
     line.closed ? painter.drawPolygon(points) : painter.drawPolyline(points);
   }
   void operator()(const Curve& curve) const {
@@ -183,4 +183,4 @@ void paintFitted(QPainter& painter, const DisplayList& drawing, const QRectF& ar
   painter.restore();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -9,15 +9,15 @@
 
 class QPainter;
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 [[nodiscard]] inline QColor toQColor(Color color) {
   return {color.red, color.green, color.blue};
 }
-[[nodiscard]] inline QPointF toQPoint(SheetPoint p) {
+[[nodiscard]] inline QPointF toQPoint(CanvasPoint p) {
   return {p.x, p.y};
 }
-[[nodiscard]] inline SheetPoint toSheetPoint(QPointF p) {
+[[nodiscard]] inline CanvasPoint toSheetPoint(QPointF p) {
   return {p.x(), p.y()};
 }
 [[nodiscard]] inline QRectF toQRect(const Extent& extent) {
@@ -33,4 +33,4 @@ void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, 
 void paintFitted(QPainter& painter, const DisplayList& drawing, const QRectF& area, Theme theme,
                  double largest);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

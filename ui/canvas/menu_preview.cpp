@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <utility>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 MenuPreview& MenuPreview::of(QMenu& menu) {
   auto* known = menu.findChild<MenuPreview*>({}, Qt::FindDirectChildrenOnly);
@@ -44,6 +44,6 @@ void MenuPreview::tryOut(QAction* entry) {
   }
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_menu_preview.cpp"

@@ -8,7 +8,7 @@
 class QAction;
 class QMenu;
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Previews menu entries while they are highlighted: wanted() gives the edit to be previewed, ended() is
 /// emitted when the entry is left or chosen, or the menu closes. A chosen entry is carried out afterwards by
@@ -38,4 +38,4 @@ class MenuPreview : public QObject {
   QAction* m_tried = nullptr;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

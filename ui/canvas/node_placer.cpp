@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kSmall = 120;  ///< links that are laid out within a few milliseconds
@@ -82,6 +82,6 @@ void NodePlacer::onFound(const Found& found) {
   emit placesFound();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_node_placer.cpp"

@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/layout.h"
 #include "ui/service/service.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Finds the places of all links of a document on the sheet: those of the document; else the ones found
 /// before; else from the layout. Small documents are laid out synchronously, large ones on a background
@@ -51,9 +51,9 @@ class NodePlacer final : public QObject {
   using Searches = Service<Request, Found>;
   void onFound(const Found& found);
 
-  std::unordered_map<LinkId, SheetPoint> m_found;  ///< for links that the document has no place for
-  MechanismPtr m_sought;                           ///< whose missing places are being sought
+  std::unordered_map<LinkId, CanvasPoint> m_found;  ///< for links that the document has no place for
+  MechanismPtr m_sought;                            ///< whose missing places are being sought
   Searches* m_searches;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -7,10 +7,10 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
-using NodeMoves = std::vector<std::pair<LinkId, SheetPoint>>;
-using NoteMoves = std::vector<std::pair<NoteId, SheetPoint>>;
+using NodeMoves = std::vector<std::pair<LinkId, CanvasPoint>>;
+using NoteMoves = std::vector<std::pair<NoteId, CanvasPoint>>;
 
 /// The interface of a drawing with movable nodes, for tools.
 class NodeSheet {
@@ -29,10 +29,10 @@ class NodeSheet {
   // Edits of the places that the document stores for this drawing.
   [[nodiscard]] virtual Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                                       const NodeMoves& places) const = 0;
-  [[nodiscard]] virtual Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const = 0;
+  [[nodiscard]] virtual Expected<Mechanism> withLinkAt(const Mechanism& mechanism, CanvasPoint at) const = 0;
 
   /// Does this drawing show the document's notes?
   [[nodiscard]] virtual bool showsNotes() const { return false; }
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/notes.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 /// UTF-16 units of the first `count` characters.
@@ -101,6 +101,6 @@ void NoteEditor::finish(bool take) {
   deleteLater();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_note_editor.cpp"

@@ -2,7 +2,7 @@
 
 #include "ui/theme/plain_text_field.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// An in-place editor for the text of a note: Enter or losing the focus accepts the text, Shift+Enter starts
 /// a new line, Esc cancels. A text longer than kMaxNoteLength is truncated, and limited() is emitted. Deletes
@@ -34,4 +34,4 @@ class NoteEditor final : public PlainTextField {
   bool m_finished = false;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

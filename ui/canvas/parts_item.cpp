@@ -5,7 +5,7 @@
 
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 PartsItem::PartsItem(const Theme& theme) : m_theme(theme) {
   setFlag(ItemUsesExtendedStyleOption);  // for the exposed rectangle
@@ -32,4 +32,4 @@ void PartsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
   }
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

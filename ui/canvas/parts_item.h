@@ -5,7 +5,7 @@
 
 #include "ui/canvas/sheet_parts.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// All parts of a drawing as one item of the scene, which paints the visible ones. Thousands of single items
 /// would cost more than the parts, because QGraphicsScene keeps lists of their order and areas.
@@ -32,4 +32,4 @@ class PartsItem final : public QGraphicsItem {
   const Theme& m_theme;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 PlaceGrid::PlaceGrid(int rings)
     : m_rings(rings),
@@ -50,4 +50,4 @@ std::optional<PlaceGrid::Place> PlaceGrid::nearestFree() const {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The free places of a square grid, from -rings to rings in both directions.
 class PlaceGrid {
@@ -33,4 +33,4 @@ class PlaceGrid {
       m_steps;  ///< by row: differences of a two-dimensional prefix sum of the rectangles' counts
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "ui/document/typed_length.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 RenameEditor::RenameEditor(const QString& text, QWidget* parent) : QLineEdit(text, parent) {
   setAlignment(Qt::AlignCenter);
@@ -42,6 +42,6 @@ void RenameEditor::finish(bool take) {
   deleteLater();
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_rename_editor.cpp"

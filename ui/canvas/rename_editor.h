@@ -2,7 +2,7 @@
 
 #include <QLineEdit>
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// An in-place text editor: Enter or losing the focus accepts the text, Esc cancels. Deletes itself.
 class RenameEditor final : public QLineEdit {
@@ -24,4 +24,4 @@ class RenameEditor final : public QLineEdit {
   bool m_finished = false;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 QRectF boundsOf(const std::vector<Mark>& marks) {
@@ -105,4 +105,4 @@ QRectF SheetParts::bounds(int without) const {
   return bounds;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// A drawing divided into parts: a part has the marks of one element at one depth. A value independent of a
 /// scene, so that any thread can make one.
@@ -53,4 +53,4 @@ class SheetParts {
   quint64 m_drawing = 0;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

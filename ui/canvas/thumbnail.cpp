@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/layout.h"
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 constexpr double kMargin = 24;         ///< sheet units round the drawing
 constexpr double kLargestScale = 1.4;  ///< a lone node is not blown up
@@ -30,4 +30,4 @@ std::optional<QImage> digraphThumbnail(const Mechanism& mechanism, Theme theme, 
   return image;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Larger mechanisms get no thumbnail, because nothing would be distinguishable.
 constexpr int kMaxThumbnailLinks = 150;
@@ -16,4 +16,4 @@ constexpr int kMaxThumbnailLinks = 150;
 /// Cost: some milliseconds, and a layout if the document has no places.
 [[nodiscard]] std::optional<QImage> digraphThumbnail(const Mechanism& mechanism, Theme theme, QSize pixels);
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "core/mechanism/fitting/mesh_snap.h"
+#include "core/mechanism/geometry_edits/mesh_snap.h"
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/notes.h"
@@ -12,12 +12,12 @@
 #include "ui/canvas/drawn_joint.h"
 #include "ui/canvas/element_commands.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
 constexpr double kSnapReach = 6;  ///< px on screen
 
-QString translated(std::string_view text) {
+QString hintText(std::string_view text) {
   return QCoreApplication::translate("tools", std::string(text).c_str());
 }
 
@@ -33,7 +33,7 @@ Expected<PlacedMechanism> withDraft(const Mechanism& mechanism, const ArrowDraft
 
 ToolController::ToolController(Document& document, Selection& selection, NodeSheet& sheet, QObject* parent)
     : QObject(parent), m_document(document), m_selection(selection), m_sheet(sheet) {
-  m_hint = translated(m_machine.hint());
+  m_hint = hintText(m_machine.hint());
 }
 
 void ToolController::setTool(ToolKind tool) {
@@ -94,7 +94,7 @@ ToolController::Drag ToolController::beginDrag() {
     }
   }
   if (!m_sheet.showsNotes()) return drag;
-  for (const SheetNote& note : drag.before->view.notes) {
+  for (const CanvasNote& note : drag.before->view.notes) {
     if (m_selection.isSelected(note.id)) drag.notes.emplace_back(note.id, note.at);
   }
   return drag;
@@ -102,22 +102,22 @@ ToolController::Drag ToolController::beginDrag() {
 
 void ToolController::moveSelected(const MoveSelected& move) {
   if (!m_drag) m_drag = beginDrag();
-  std::vector<SheetPoint> from;
+  std::vector<CanvasPoint> from;
   for (const auto& [link, place] : m_drag->moving) from.push_back(place);
   for (const auto& [note, place] : m_drag->notes) from.push_back(place);
   const double reach = move.unsnapped ? 0 : kSnapReach / m_scale;
   const bool toGrid = m_grid && !move.unsnapped && !from.empty();
   if (toGrid) {
-    const SheetPoint place = onGrid(from.front() + SheetPoint{move.dx, move.dy}, kGridStep);
+    const CanvasPoint place = onGrid(from.front() + CanvasPoint{move.dx, move.dy}, kGridStep);
     m_snap = Snap{place.x - from.front().x, place.y - from.front().y, {}, {}};
   } else {
     m_snap =
         reach > 0 ? snapped(from, m_drag->resting, move.dx, move.dy, reach) : Snap{move.dx, move.dy, {}, {}};
   }
   NodeMoves places = m_drag->moving;
-  for (auto& [link, place] : places) place = place + SheetPoint{m_snap.dx, m_snap.dy};
+  for (auto& [link, place] : places) place = place + CanvasPoint{m_snap.dx, m_snap.dy};
   NoteMoves notes = m_drag->notes;
-  for (auto& [note, place] : notes) place = place + SheetPoint{m_snap.dx, m_snap.dy};
+  for (auto& [note, place] : notes) place = place + CanvasPoint{m_snap.dx, m_snap.dy};
   const QString text = places.empty()       ? tr("Move note")
                        : places.size() == 1 ? tr("Move link")
                                             : tr("Move links");
@@ -152,9 +152,9 @@ void ToolController::nudge(double dx, double dy, bool repeated) {
   if (drag.moving.empty() && drag.notes.empty()) return;
   if (!repeated || m_nudge == 0) m_nudge = drag.gesture;
   NodeMoves places = drag.moving;
-  for (auto& [link, place] : places) place = place + SheetPoint{dx, dy};
+  for (auto& [link, place] : places) place = place + CanvasPoint{dx, dy};
   NoteMoves notes = drag.notes;
-  for (auto& [note, place] : notes) place = place + SheetPoint{dx, dy};
+  for (auto& [note, place] : notes) place = place + CanvasPoint{dx, dy};
   moveTo(tr("Nudge"), std::move(places), std::move(notes), m_nudge);
 }
 
@@ -166,7 +166,7 @@ void ToolController::place(const NodePositions& positions) {
 
 // --- making and removing ----------------------------------------------------------------------------------
 
-void ToolController::addLink(SheetPoint at) {
+void ToolController::addLink(CanvasPoint at) {
   if (m_grid) at = onGrid(at, kGridStep);
   const std::size_t before = m_document.mechanism()->links.size();
   apply(tr("Add link"), [this, at](const Mechanism& mechanism) { return m_sheet.withLinkAt(mechanism, at); });
@@ -248,7 +248,7 @@ QString ToolController::withAxisOfStroke(const QString& hint) const {
 }
 
 QString ToolController::previewAndHint(std::optional<JointPreview>& preview) const {
-  const QString hint = withAxisOfStroke(translated(m_machine.hint()));
+  const QString hint = withAxisOfStroke(hintText(m_machine.hint()));
   const std::optional<ArrowDraft> draft = m_machine.arrowDraft();
   if (!draft) return hint;
   preview = JointPreview{draft->kind, draft->tail, draft->head, false};
@@ -266,7 +266,7 @@ QString ToolController::previewAndHint(std::optional<JointPreview>& preview) con
   return next ? hint : QString::fromStdString(next.error().front().message);
 }
 
-Curve ToolController::guide(const std::function<bool(SheetPoint)>& isOnLine) const {
+Curve ToolController::guide(const std::function<bool(CanvasPoint)>& isOnLine) const {
   constexpr double kBeyond = 40;
   std::optional<Extent> span;
   for (const auto& [link, place] : m_sheet.positions()) {
@@ -302,12 +302,12 @@ DisplayList ToolController::overlay() const {
     }
   }
   if (m_drag && m_snap.column)
-    put(guide([&](SheetPoint p) { return std::abs(p.x - *m_snap.column) < 1e-6; }), Dash::solid);
+    put(guide([&](CanvasPoint p) { return std::abs(p.x - *m_snap.column) < 1e-6; }), Dash::solid);
   if (m_drag && m_snap.row)
-    put(guide([&](SheetPoint p) { return std::abs(p.y - *m_snap.row) < 1e-6; }), Dash::solid);
+    put(guide([&](CanvasPoint p) { return std::abs(p.y - *m_snap.row) < 1e-6; }), Dash::solid);
   return list;
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_tool_controller.cpp"

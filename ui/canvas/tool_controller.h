@@ -3,14 +3,14 @@
 #include <QObject>
 #include <QPointF>
 
-#include "core/mechanism/fitting/axis_choice.h"
+#include "core/mechanism/geometry_edits/axis_choice.h"
 #include "ui/canvas/node_sheet.h"
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 #include "ui/tools/snapping.h"
 #include "ui/tools/tool_machine.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// Carries out the proposals of tools: as edits of the document, as selection, and as overlay of the drawing;
 /// it numbers the gestures. The only place where the mouse changes a document.
@@ -40,12 +40,12 @@ class ToolController final : public QObject {
   // Commands of keys and menus, one undo step each.
   void toggleInputs(const std::set<ElementId>& elements);
   void nudge(double dx, double dy, bool repeated);
-  void addLink(SheetPoint at);
+  void addLink(CanvasPoint at);
   void place(const NodePositions& positions);
 
  signals:
   /// The user wants to type the text of a note: of a new one centred at `at`, or of `note`.
-  void noteWanted(geargraph::SheetPoint at, const std::optional<geargraph::NoteId>& note);
+  void noteWanted(geargraph::CanvasPoint at, const std::optional<geargraph::NoteId>& note);
   void toolChanged(geargraph::ToolKind tool);
   void hintChanged(const QString& hint);
   void previewChanged(const std::optional<geargraph::JointPreview>& preview);
@@ -57,7 +57,7 @@ class ToolController final : public QObject {
     MechanismPtr before;
     NodeMoves moving;  ///< the nodes' places before
     NoteMoves notes;   ///< the notes' places before
-    std::vector<SheetPoint> resting;
+    std::vector<CanvasPoint> resting;
   };
 
   void carryOut(const Proposal& proposal);
@@ -73,7 +73,7 @@ class ToolController final : public QObject {
   [[nodiscard]] QString withAxisOfStroke(const QString& hint) const;
   [[nodiscard]] QString previewAndHint(std::optional<JointPreview>& preview) const;
   /// A line through all nodes of a row or column.
-  [[nodiscard]] Curve guide(const std::function<bool(SheetPoint)>& isOnLine) const;
+  [[nodiscard]] Curve guide(const std::function<bool(CanvasPoint)>& isOnLine) const;
   [[nodiscard]] DisplayList overlay() const;
 
   Document& m_document;
@@ -91,4 +91,4 @@ class ToolController final : public QObject {
   std::optional<JointPreview> m_preview;
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -4,10 +4,10 @@
 
 #include "core/presentation/drawing/tt_graph_layout.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 10 ms
+constexpr std::size_t kTtSlice = 1'000;  ///< elements, which take some 10 ms
 
 }  // namespace
 
@@ -42,13 +42,13 @@ void TtGraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
   } else {
     m_stale.insert(changed.begin(), changed.end());
   }
-  if (m_stale.size() <= kSlice) return drawSlice();
+  if (m_stale.size() <= kTtSlice) return drawSlice();
   m_sliceTurn.request();
 }
 
 void TtGraphScene::drawSlice() {
   if (!m_sheet) return m_stale.clear();
-  for (std::size_t left = kSlice; left > 0 && !m_stale.empty(); --left) {
+  for (std::size_t left = kTtSlice; left > 0 && !m_stale.empty(); --left) {
     const ElementId element = *m_stale.begin();
     m_stale.erase(m_stale.begin());
     DisplayList drawing =
@@ -64,6 +64,6 @@ DrawingScene::Draw TtGraphScene::drawing() const {
   };
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_tt_graph_scene.cpp"

@@ -8,7 +8,7 @@
 #include "ui/canvas/drawing_scene.h"
 #include "ui/service/turns.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// A T-T graph with layout, geometry and parts: a value that any thread can make.
 struct TtGraphSheet {
@@ -49,7 +49,7 @@ class TtGraphScene final : public DrawingScene {
 
   TtGraphSheetPtr m_sheet;
   std::unordered_set<ElementId> m_stale;  ///< to be drawn again
-  TurnOf m_sliceTurn{this, [this] { drawSlice(); }};
+  CoalescedTask m_sliceTurn{this, [this] { drawSlice(); }};
 };
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -5,12 +5,12 @@
 #include "core/theory/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
 #include "ui/models/term_tips.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kLarge = 300;  ///< links; up to here it takes less than a frame
+constexpr std::size_t kLargeTtGraph = 300;  ///< links; up to here it takes less than a frame
 
 /// Null where the turning joints are no spanning tree.
 const TtGraph* graphOf(const SnapshotPtr& snapshot) {
@@ -96,7 +96,7 @@ void TtGraphView::draw() {
 void TtGraphView::drawNow() {
   m_behind = false;
   const Request request{document().mechanism(), snapshot(), m_layout, ++m_wanted, m_stop.get_token()};
-  if (mechanism().links.size() <= kLarge) {
+  if (mechanism().links.size() <= kLargeTtGraph) {
     return arrived(request, ttGraphSheet(*request.mechanism, graph(), request.layout));
   }
   m_worker.request(request);
@@ -217,7 +217,7 @@ Expected<Mechanism> TtGraphView::withMoved(const Mechanism& mechanism, const Nod
   return withTtNodesMoved(mechanism, places);
 }
 
-Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoint at) const {
+Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, CanvasPoint at) const {
   Expected<Mechanism> added = withLink(mechanism, at);
   if (!added) return added;
   Mechanism next = std::move(added).value();
@@ -242,6 +242,6 @@ ViewEntry ttGraphView() {
           }};
 }
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph
 
 #include "moc_tt_graph_view.cpp"

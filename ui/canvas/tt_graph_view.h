@@ -5,7 +5,7 @@
 #include "ui/canvas/tt_graph_scene.h"
 #include "ui/service/background_work.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 
 /// The T-T graph of the document [AU, Figs. 5 and 6]: the tree of turning joints with the levels of its
 /// branches, the chords of every mesh to its transfer vertex. For the chosen mesh the two f-circuits are
@@ -48,7 +48,7 @@ class TtGraphView final : public GraphView, public BackgroundWork {
   [[nodiscard]] const NodePositions& positions() const override;
   [[nodiscard]] Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                               const NodeMoves& places) const override;
-  [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
+  [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, CanvasPoint at) const override;
 
  private:
   /// Is the analysis up to date with the document, except for places?
@@ -81,4 +81,4 @@ class TtGraphView final : public GraphView, public BackgroundWork {
 
 [[nodiscard]] ViewEntry ttGraphView();
 
-}  // namespace geargraph::inline canvas
+}  // namespace geargraph

@@ -2,9 +2,9 @@
 
 #include "ui/designer/designer_panel.h"
 #include "ui/designer/hub_panel.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 ViewEntry designerView() {
   return {.id = QStringLiteral("designer"),
@@ -51,4 +51,4 @@ ViewEntry hardwareView() {
           }};
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -23,14 +23,14 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr int kBarDelay = 200;  // ms: shorter searches show no bar
 constexpr int kBarSteps = 1000;
 constexpr QSize kRoom{940, 400};  // px: in a smaller panel it scrolls
 
-QString counted(std::int64_t number) {
+QString countedHits(std::int64_t number) {
   return QLocale().toString(static_cast<qlonglong>(number));
 }
 
@@ -273,7 +273,7 @@ void DesignerPanel::showHits() {
   std::vector<GearboxPtr> shown = m_hits->hits().ticked();
   const GearboxPtr chosen = m_hits->chosen();
   const bool isNew = chosen && std::find(shown.begin(), shown.end(), chosen) == shown.end();
-  if (isNew && shown.size() < HitsModel::kMostTicked) shown.push_back(chosen);
+  if (isNew && shown.size() < HitsModel::kMaxTicked) shown.push_back(chosen);
   std::vector<NumberedHit> numbered;
   for (const GearboxPtr& each : shown) numbered.push_back({each, m_hits->hits().rowOf(each) + 1});
   std::sort(numbered.begin(), numbered.end(),
@@ -331,7 +331,7 @@ void DesignerPanel::saveWish(const QString& path) {
 
 void DesignerPanel::onWishEdited() {
   m_isEarlier = m_wish != nullptr;
-  renewWords();
+  updateWords();
 }
 
 void DesignerPanel::setPhase(Phase phase) {
@@ -345,7 +345,7 @@ void DesignerPanel::setPhase(Phase phase) {
   m_pause->setVisible(phase == Phase::searching || phase == Phase::paused);
   m_pause->setText(phase == Phase::paused ? tr("Go on") : tr("Pause"));
   m_pause->setToolTip(phase == Phase::paused ? QString() : tr("Keeps what was found (Esc)"));
-  renewWords();
+  updateWords();
 }
 
 QString DesignerPanel::titleText() const {
@@ -359,19 +359,20 @@ QString DesignerPanel::titleText() const {
 }
 
 QString DesignerPanel::countText() const {
-  const QString found = counted(m_hits->hits().rowCount());
+  const QString found = countedHits(m_hits->hits().rowCount());
   switch (m_phase) {
     case Phase::idle:
       return {};
     case Phase::searching:
       if (m_total == 0) return tr("Listing layouts…");
-      return tr("%1 of %2 layouts, %3 found").arg(counted(m_layouts), counted(m_total), found) +
+      return tr("%1 of %2 layouts, %3 found").arg(countedHits(m_layouts), countedHits(m_total), found) +
              remainingText();
     case Phase::paused:
       if (m_total == 0) return tr("Paused");
-      return tr("Paused at %1 of %2 layouts, %3 found").arg(counted(m_layouts), counted(m_total), found);
+      return tr("Paused at %1 of %2 layouts, %3 found")
+          .arg(countedHits(m_layouts), countedHits(m_total), found);
     case Phase::done:
-      return tr("%1 layouts, %2 found").arg(counted(m_total), found);
+      return tr("%1 layouts, %2 found").arg(countedHits(m_total), found);
   }
   return {};
 }
@@ -415,18 +416,18 @@ QString DesignerPanel::emptyListText() const {
   if (m_judged.teeth == 0) {
     return tr("None was found: %1 shift tables come near these ratios, but no whole teeth do.<br>A larger "
               "tolerance, or rings with more teeth may help.")
-        .arg(counted(m_judged.candidates));
+        .arg(countedHits(m_judged.candidates));
   }
   if (m_judged.elements == 0) {
     return tr("None was found: %1 gearboxes have these ratios, but not so many brakes and clutches.")
-        .arg(counted(m_judged.teeth));
+        .arg(countedHits(m_judged.teeth));
   }
   return tr("None was found: %1 gearboxes have these ratios, but are beyond the limits at the end of the "
             "wish.")
-      .arg(counted(m_judged.elements));
+      .arg(countedHits(m_judged.elements));
 }
 
-void DesignerPanel::renewWords() {
+void DesignerPanel::updateWords() {
   m_title->setText(titleText());
   m_count->setText(countText());
   m_sampled->setText(sampledText());
@@ -448,6 +449,6 @@ void DesignerPanel::renewWords() {
   }
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_designer_panel.cpp"

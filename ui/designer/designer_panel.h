@@ -5,8 +5,8 @@
 #include <map>
 
 #include "ui/designer/designer_services.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QLabel;
 class QProgressBar;
@@ -14,7 +14,7 @@ class QPushButton;
 class QStackedWidget;
 class QTimer;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 class FilterBar;
 class HitCard;
@@ -78,7 +78,7 @@ class DesignerPanel final : public QWidget, public ResultsView {
   void chooseWishFile();
   void onWishEdited();
   void setPhase(Phase phase);
-  void renewWords();
+  void updateWords();
   [[nodiscard]] QString titleText() const;
   [[nodiscard]] QString sampledText() const;
   [[nodiscard]] QString sampledReason() const;
@@ -119,4 +119,4 @@ class DesignerPanel final : public QWidget, public ResultsView {
 
 [[nodiscard]] ViewEntry designerView();
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

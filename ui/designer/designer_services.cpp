@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/presentation/lever_drawing/lever_drawing.h"
-#include "core/presentation/results/levers_json.h"
+#include "core/presentation/diagrams/lever_drawing.h"
+#include "core/presentation/export_api/levers_json.h"
 #include "core/presentation/schematic/schematic.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 /// Blocks without a hit are not worth more answers than people can read.
@@ -76,4 +76,4 @@ DesignService::DesignService(QObject* parent) : Service(&searchGearboxes, parent
 
 HitService::HitService(QObject* parent) : Service(&detailsOf, parent) {}
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

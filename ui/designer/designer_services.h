@@ -9,7 +9,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "ui/service/service.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 using GearboxWishPtr = std::shared_ptr<const GearboxWish>;
 using GearboxPtr = std::shared_ptr<const Gearbox>;
@@ -57,4 +57,4 @@ class HitService final : public Service<HitRequest, HitDetailPtr> {
   explicit HitService(QObject* parent = nullptr);
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 DrawingPreview::DrawingPreview(QWidget* parent) : QWidget(parent) {
   setMinimumSize(120, 130);
@@ -28,6 +28,6 @@ void DrawingPreview::paintEvent(QPaintEvent* /*event*/) {
               themeOf(palette()), kLargest);
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_drawing_preview.cpp"

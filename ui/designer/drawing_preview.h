@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// A drawing of core's, as large as there is room.
 class DrawingPreview final : public QWidget {
@@ -24,4 +24,4 @@ class DrawingPreview final : public QWidget {
   DisplayList m_drawing;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

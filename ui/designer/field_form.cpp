@@ -15,7 +15,7 @@
 #include "ui/theme/plain_text_field.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 std::string plainNumber(QString text) {
   return text.trimmed().replace(QChar(0x2212), '-').replace(',', '.').toStdString();
@@ -151,6 +151,6 @@ void FieldForm::onEdited() {
   emit changed();
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_field_form.cpp"

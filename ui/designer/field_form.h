@@ -12,11 +12,11 @@ class QPlainTextEdit;
 class QSpinBox;
 class QVBoxLayout;
 
-namespace geargraph::inline files {
+namespace geargraph {
 class JsonWriter;
-}  // namespace geargraph::inline files
+}  // namespace geargraph
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// The ratios in a typed or pasted text, as wishes have them: separated by blanks, semicolons, or commas
 /// that are no decimal signs; "4,17 2,34" and "4.17, 2.34" are the same two.
@@ -70,4 +70,4 @@ class FieldForm : public QWidget {
   std::map<int, QLabel*> m_faults;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

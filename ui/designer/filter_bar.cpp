@@ -7,7 +7,7 @@
 
 #include "ui/designer/hits_model.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 FilterBar::FilterBar(HitsModel* hits, ShownHits* shown, QWidget* parent)
     : QWidget(parent),
@@ -103,6 +103,6 @@ void FilterBar::renew() {
   m_count->setText(all == 0 ? QString() : tr("%1 of %2 shown").arg(m_shown->rowCount()).arg(all));
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_filter_bar.cpp"

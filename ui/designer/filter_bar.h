@@ -7,7 +7,7 @@ class QLabel;
 class QMenu;
 class QToolButton;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 class HitsModel;
 class ShownHits;
@@ -36,4 +36,4 @@ class FilterBar final : public QWidget {
   QLabel* m_count;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -12,14 +12,14 @@
 #include <initializer_list>
 
 #include "core/design/gearboxes/section_rules.h"
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "ui/designer/drawing_preview.h"
 #include "ui/designer/hit_words.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr int kRowHeight = 20;  // px
@@ -164,7 +164,7 @@ QWidget* HitCard::makePictures() {
     row->addWidget(chip);
     connect(chip, &QToolButton::clicked, this, [this, isSchematic] {
       m_showsSchematics = isSchematic;
-      renewDrawings();
+      updateDrawings();
     });
   }
   row->addStretch(1);
@@ -200,21 +200,21 @@ void HitCard::setHits(const GearboxWishPtr& wish, std::vector<NumberedHit> hits)
   m_variants->setEnabled(!m_hits.empty() && std::any_of(m_hits.front().gearbox->variants.begin(),
                                                         m_hits.front().gearbox->variants.end(),
                                                         [](const auto& each) { return each.size() > 1; }));
-  renewDrawings();
-  renewWords();
+  updateDrawings();
+  updateWords();
 }
 
 void HitCard::setDetail(const HitDetailPtr& detail) {
   for (std::size_t i = 0; i < m_hits.size(); ++i) {
     if (m_hits[i].gearbox != detail->asked) continue;
     m_details[i] = detail;
-    renewDrawings();
-    renewWords();
+    updateDrawings();
+    updateWords();
   }
 }
 
 /// Of one gearbox levers and schematic, of two the same of both.
-void HitCard::renewDrawings() {
+void HitCard::updateDrawings() {
   const bool isPair = m_hits.size() > 1;
   for (std::size_t i = 0; i < kMost; ++i) {
     const HitDetailPtr& detail = m_details[isPair ? i : 0];
@@ -226,7 +226,7 @@ void HitCard::renewDrawings() {
   }
 }
 
-void HitCard::renewWords() {
+void HitCard::updateWords() {
   for (std::size_t i = 0; i < kMost; ++i) m_elements[i]->setVisible(i < m_hits.size());
   if (m_hits.empty()) return m_words->clear();
   for (std::size_t i = 0; i < m_hits.size(); ++i) {
@@ -252,7 +252,9 @@ void HitCard::renewWords() {
 }
 
 QString HitCard::wantedOf(std::size_t gear) const {
-  const auto text = [](const WantedRatio& ratio) { return QString::fromStdString(spokenNumber(ratio.text)); };
+  const auto text = [](const WantedRatio& ratio) {
+    return QString::fromStdString(localizedNumber(ratio.text));
+  };
   if (gear < m_wish->forward.size()) return text(m_wish->forward[gear]);
   return m_wish->reverseRatio ? withPrintedMinus('-' + text(*m_wish->reverseRatio)) : tr("any");
 }
@@ -360,6 +362,6 @@ void HitCard::fillVariants() {
     m_variantMenu->addAction(tr("None of them is within the limits of the wish."))->setEnabled(false);
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hit_card.cpp"

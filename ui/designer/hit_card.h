@@ -12,7 +12,7 @@ class QPushButton;
 class QTableWidget;
 class QToolButton;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 class DrawingPreview;
 
@@ -48,11 +48,11 @@ class HitCard final : public QWidget {
   [[nodiscard]] QTableWidget* makeTable(const char* name);
   [[nodiscard]] const Gearbox& gearboxAt(std::size_t position) const;
   [[nodiscard]] QString wantedOf(std::size_t gear) const;
-  void renewDrawings();
+  void updateDrawings();
   void fillOneTable();
   void fillTwoTable();
   void fillMeasures();
-  void renewWords();
+  void updateWords();
   void fillVariants();
 
   GearboxWishPtr m_wish;
@@ -71,4 +71,4 @@ class HitCard final : public QWidget {
   std::array<QPushButton*, kMost> m_open;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr int kGearStep = 14;  // px at the usual size of type
@@ -167,4 +167,4 @@ QSize HitDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelInde
   }
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

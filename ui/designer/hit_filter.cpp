@@ -7,7 +7,7 @@
 
 #include "ui/designer/hit_words.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 Rational countedElements(HitCondition condition, const Gearbox& hit) {
@@ -103,4 +103,4 @@ std::vector<Rational> boundsOf(HitCondition condition, const std::vector<Gearbox
   return bounds;
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

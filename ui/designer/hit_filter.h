@@ -7,7 +7,7 @@
 
 #include "ui/designer/designer_services.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// What a gearbox of the list may be asked for.
 enum class HitCondition { error, circulating, drawable, elements, brakes, clutches, efficiency };
@@ -38,4 +38,4 @@ class HitFilter {
 /// to choose; none where the condition tells no hits apart.
 [[nodiscard]] std::vector<Rational> boundsOf(HitCondition condition, const std::vector<GearboxPtr>& hits);
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -6,14 +6,14 @@
 #include <QThreadPool>
 #include <algorithm>
 
-#include "core/presentation/lever_drawing/lever_layout.h"
-#include "core/presentation/results/levers_json.h"
+#include "core/presentation/diagrams/lever_layout.h"
+#include "core/presentation/export_api/levers_json.h"
 #include "core/presentation/schematic/schematic.h"
 #include "core/theory/analysis/analysis.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr double kRoomBeside = 8;  // px
@@ -138,6 +138,6 @@ void HitPictures::take(const GearboxPtr& gearbox, const Look& look, const Pair& 
   emit drawn();
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hit_pictures.cpp"

@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/palette.h"
 #include "ui/designer/designer_services.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// Small pictures of gearboxes. They are drawn by the thread pool when they are asked for, and kept.
 class HitPictures final : public QObject {
@@ -50,4 +50,4 @@ class HitPictures final : public QObject {
   std::set<GearboxPtr> m_waiting;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "core/design/gearboxes/gearbox_json.h"
-#include "core/presentation/lever_drawing/lever_words.h"
+#include "core/presentation/diagrams/lever_words.h"
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 QString membersJoined(const std::vector<std::string>& members) {
@@ -181,4 +181,4 @@ double sortKeyOf(HitMeasure measure, const Gearbox& gearbox) {
   return isMoreBetter ? -found.value->toDouble() : found.value->toDouble();
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

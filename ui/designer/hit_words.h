@@ -6,7 +6,7 @@
 
 #include "core/design/gearboxes/gearbox.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 // The words and numbers of a gearbox, the same in the list, its filters and the card.
 
@@ -53,4 +53,4 @@ struct HitMeasured {
 /// By how much it is worse than none, in doubles, for sorting.
 [[nodiscard]] double sortKeyOf(HitMeasure measure, const Gearbox& gearbox);
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/design/gearboxes/section_rules.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 /// "1: A C, 2: B C": which elements each gear engages.
@@ -74,7 +74,7 @@ void HitsModel::setTicked(const GearboxPtr& gearbox, bool isTicked) {
   if (isTicked == this->isTicked(gearbox)) return;
   if (isTicked) {
     m_ticked.push_back(gearbox);
-    if (m_ticked.size() > kMostTicked) m_ticked.erase(m_ticked.begin());
+    if (m_ticked.size() > kMaxTicked) m_ticked.erase(m_ticked.begin());
   } else {
     std::erase(m_ticked, gearbox);
   }
@@ -236,32 +236,32 @@ ShownHits::ShownHits(HitsModel* hits, QObject* parent) : QSortFilterProxyModel(p
 void ShownHits::startAnew() {
   m_filter = {};
   m_hidden.clear();
-  renewChoice();
+  updateChoice();
 }
 
 void ShownHits::setFilter(const HitFilter& filter) {
   m_filter = filter;
-  renewChoice();
+  updateChoice();
 }
 
 void ShownHits::hideHit(const GearboxPtr& gearbox) {
   m_hidden.push_back(gearbox);
-  renewChoice();
+  updateChoice();
 }
 
 bool ShownHits::showLastHidden() {
   if (m_hidden.empty()) return false;
   m_hidden.pop_back();
-  renewChoice();
+  updateChoice();
   return true;
 }
 
 void ShownHits::showAllHidden() {
   m_hidden.clear();
-  renewChoice();
+  updateChoice();
 }
 
-void ShownHits::renewChoice() {
+void ShownHits::updateChoice() {
   invalidateFilter();
   emit choiceChanged();
 }
@@ -275,6 +275,6 @@ bool ShownHits::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
   return m_filter.accepts(*hit) && std::find(m_hidden.begin(), m_hidden.end(), hit) == m_hidden.end();
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hits_model.cpp"

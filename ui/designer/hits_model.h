@@ -9,7 +9,7 @@
 #include "ui/designer/hit_filter.h"
 #include "ui/designer/hit_words.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// The gearboxes that were found, in the order of ranksBefore(), and which of them are ticked for comparison.
 class HitsModel final : public QAbstractTableModel {
@@ -35,7 +35,7 @@ class HitsModel final : public QAbstractTableModel {
   static constexpr int ValueRole = Qt::UserRole + 1;
   static constexpr int GearRole = Qt::UserRole + 2;
   static constexpr int WarningRole = Qt::UserRole + 3;
-  static constexpr std::size_t kMostTicked = 2;
+  static constexpr std::size_t kMaxTicked = 2;
 
   using QAbstractTableModel::QAbstractTableModel;
 
@@ -105,11 +105,11 @@ class ShownHits final : public QSortFilterProxyModel {
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
  private:
-  void renewChoice();
+  void updateChoice();
 
   HitsModel* m_hits;
   HitFilter m_filter;
   std::vector<GearboxPtr> m_hidden;  ///< the last one hidden last
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 HitsTable::HitsTable(QWidget* parent) : QTableView(parent), m_shown(&m_hits) {
   setObjectName(QStringLiteral("hits"));
@@ -193,6 +193,6 @@ void HitsTable::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hits_table.cpp"

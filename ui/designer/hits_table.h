@@ -6,7 +6,7 @@
 #include "ui/designer/hit_pictures.h"
 #include "ui/designer/hits_model.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// Paints the cells of a gearbox: pictures, the engaged elements as a table of dots with a column a gear, and
 /// measures with the gear where they are below.
@@ -73,4 +73,4 @@ class HitsTable final : public QTableView {
   HitPictures m_pictures;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -14,7 +14,7 @@
 #include "ui/designer/hub_words.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 HubCard::HubCard(QWidget* parent)
     : QWidget(parent),
@@ -81,7 +81,7 @@ QWidget* HubCard::makeQuestion() {
   column->addWidget(m_ask);
   column->addWidget(m_answers);
   column->addWidget(m_other);
-  connect(m_questions, &QComboBox::currentIndexChanged, this, &HubCard::renewQuestion);
+  connect(m_questions, &QComboBox::currentIndexChanged, this, &HubCard::updateQuestion);
   connect(m_other, &QLineEdit::returnPressed, this, [this] {
     const QString answer = m_other->text().trimmed();
     if (const HubQuestion* asked = question(); asked != nullptr && !answer.isEmpty())
@@ -125,7 +125,7 @@ void HubCard::setSearch(const HubSearchPtr& search) {
   if (hasQuestions)
     m_heading->setText(search->questions.front().leaves == 1 ? tr("One measurement decides")
                                                              : tr("No single measurement decides"));
-  renewQuestion();
+  updateQuestion();
 }
 
 const HubQuestion* HubCard::question() const {
@@ -133,7 +133,7 @@ const HubQuestion* HubCard::question() const {
   return m_search && at >= 0 ? &m_search->questions[static_cast<std::size_t>(at)] : nullptr;
 }
 
-void HubCard::renewQuestion() {
+void HubCard::updateQuestion() {
   auto* grid = static_cast<QGridLayout*>(m_answers->layout());
   while (const QLayoutItem* item = grid->takeAt(0)) {
     item->widget()->hide();
@@ -173,6 +173,6 @@ void HubCard::setDetail(const HubDetailPtr& detail) {
   m_drawing->setDrawing(detail ? detail->schematic : DisplayList());
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hub_card.cpp"

@@ -10,7 +10,7 @@ class QLineEdit;
 class QPushButton;
 class QWidget;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 class DrawingPreview;
 
@@ -34,7 +34,7 @@ class HubCard final : public QWidget {
 
  private:
   [[nodiscard]] QWidget* makeQuestion();
-  void renewQuestion();
+  void updateQuestion();
   [[nodiscard]] const HubQuestion* question() const;
 
   HubSearchPtr m_search;
@@ -50,4 +50,4 @@ class HubCard final : public QWidget {
   QPushButton* m_open;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

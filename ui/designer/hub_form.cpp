@@ -13,7 +13,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 HubForm::HubForm(QWidget* parent) : FieldForm(parent) {
   setObjectName(QStringLiteral("hubWish"));
@@ -156,6 +156,6 @@ std::optional<HubWish> HubForm::wish() {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hub_form.cpp"

@@ -7,7 +7,7 @@
 
 class QCheckBox;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// What a maker's sheet says of a hub gear, and what has been counted in it.
 class HubForm final : public FieldForm {
@@ -44,4 +44,4 @@ class HubForm final : public FieldForm {
   QLineEdit* m_counted = nullptr;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -9,11 +9,11 @@
 #include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr int kHubRowHeight = 24;  // px
-constexpr std::size_t kMostOthers = 200;
+constexpr std::size_t kMaxOthers = 200;
 
 QTableWidgetItem* hubItem(const QString& text) {
   auto* item = new QTableWidgetItem(text);
@@ -122,7 +122,7 @@ void HubTable::setSearch(const HubSearchPtr& search) {
   setColumnCount(static_cast<int>(heads.size()));
   setHorizontalHeaderLabels(heads);
   for (const HubCandidate& each : search->assembled) addRow(each, false);
-  for (std::size_t i = 0; i < std::min(search->others.size(), kMostOthers); ++i)
+  for (std::size_t i = 0; i < std::min(search->others.size(), kMaxOthers); ++i)
     addRow(search->others[i], true);
   resizeColumnsToContents();
   if (rowCount() > 0) selectRow(0);
@@ -165,6 +165,6 @@ void HubTable::keyPressEvent(QKeyEvent* event) {
   QTableWidget::keyPressEvent(event);
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hub_lists.cpp"

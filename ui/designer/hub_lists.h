@@ -4,7 +4,7 @@
 
 #include "ui/designer/hub_services.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// Why two sets in series have the ratios: a row for each ratio of the first, a column for each of the
 /// second, their products with the gears that they are.
@@ -44,4 +44,4 @@ class HubTable final : public QTableWidget {
   HubSearchPtr m_search;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -18,7 +18,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr QSize kHubRoom{900, 400};  // px: in a smaller panel it scrolls
@@ -66,7 +66,7 @@ void HubPanel::prepare() {
   connect(m_form, &HubForm::searchWanted, this, &HubPanel::search);
   connect(m_form, &HubForm::changed, this, [this] {
     m_isEarlier = m_search != nullptr;
-    renewWords();
+    updateWords();
   });
   connect(m_table, &HubTable::chosenChanged, this, &HubPanel::onChosen);
   connect(m_table, &HubTable::openWanted, this, &HubPanel::open);
@@ -158,7 +158,7 @@ void HubPanel::search() {
   m_isEarlier = false;
   m_answers.clear();
   m_service->request(std::make_shared<const HubWish>(*std::move(wish)));
-  renewWords();
+  updateWords();
 }
 
 /// Everything that was answered, applied to what was found.
@@ -168,8 +168,8 @@ void HubPanel::narrow() {
     m_left = std::make_shared<const HubSearch>(narrowed(*m_left, question, text.toStdString()));
   m_table->setSearch(m_left);
   m_card->setSearch(m_left);
-  renewChips();
-  renewWords();
+  updateChips();
+  updateWords();
 }
 
 void HubPanel::answer(const HubQuestion& question, const QString& text) {
@@ -177,7 +177,7 @@ void HubPanel::answer(const HubQuestion& question, const QString& text) {
   narrow();
 }
 
-void HubPanel::renewChips() {
+void HubPanel::updateChips() {
   while (const QLayoutItem* item = m_chips->takeAt(0)) {
     if (item->widget() != nullptr) {
       item->widget()->hide();
@@ -223,7 +223,7 @@ void HubPanel::open() {
   if (!m_isToOpen) emit openWanted(m_details->answer()->document);
 }
 
-void HubPanel::renewWords() {
+void HubPanel::updateWords() {
   const auto counted = [](std::int64_t number) { return QLocale().toString(static_cast<qlonglong>(number)); };
   m_earlier->setVisible(m_isEarlier);
   const bool isSearching = !m_service->isComplete();
@@ -258,6 +258,6 @@ void HubPanel::renewWords() {
                "limits, may help."));
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_hub_panel.cpp"

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "ui/designer/hub_services.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 class HubCard;
 class HubForm;
@@ -56,8 +56,8 @@ class HubPanel final : public QWidget, public ResultsView {
   void open();
   void answer(const HubQuestion& question, const QString& text);
   void narrow();
-  void renewWords();
-  void renewChips();
+  void updateWords();
+  void updateChips();
 
   HubService* m_service;
   HubDetailService* m_details;
@@ -82,4 +82,4 @@ class HubPanel final : public QWidget, public ResultsView {
 
 [[nodiscard]] ViewEntry hardwareView();
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

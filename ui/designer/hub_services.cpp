@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/schematic.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 void searchHubs(const HubWishPtr& wish, const HubService::Responder& respond) {
@@ -22,4 +22,4 @@ HubService::HubService(QObject* parent) : Service(&searchHubs, parent) {}
 
 HubDetailService::HubDetailService(QObject* parent) : Service(&drawHub, parent) {}
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "ui/service/service.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 using HubWishPtr = std::shared_ptr<const HubWish>;
 using HubSearchPtr = std::shared_ptr<const HubSearch>;
@@ -31,4 +31,4 @@ class HubDetailService final : public Service<HubCandidate, HubDetailPtr> {
   explicit HubDetailService(QObject* parent = nullptr);
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-namespace geargraph::inline designer {
+namespace geargraph {
 QString hubWheelWords(const QString& name) {
   const QString set = name.section('.', 0, 0);
   const QString wheel = name.section('.', 1);
@@ -31,4 +31,4 @@ QString hubSunText(const HubSun& sun) {
   return QCoreApplication::translate("designer", "%1 on %2").arg(sun.teeth).arg(sun.planet);
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/design/gearboxes/hub_search.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// "the ring of set 1", "sun 2 of set 2": a wheel by its name in files, "1.ring", "2.sun2".
 [[nodiscard]] QString hubWheelWords(const QString& name);
@@ -15,4 +15,4 @@ namespace geargraph::inline designer {
 /// "42 on 14": a sun with its step of the planets.
 [[nodiscard]] QString hubSunText(const HubSun& sun);
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -16,7 +16,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline designer {
+namespace geargraph {
 namespace {
 
 constexpr std::array kKindNames{"simple", "double", "ravigneaux"};
@@ -283,6 +283,6 @@ std::optional<GearboxWish> WishForm::wish() {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph
 
 #include "moc_wish_form.cpp"

@@ -10,7 +10,7 @@
 class QCheckBox;
 class QComboBox;
 
-namespace geargraph::inline designer {
+namespace geargraph {
 
 /// What a gearbox is wished to do: fields, and what is wrong with them below each.
 class WishForm final : public FieldForm {
@@ -66,4 +66,4 @@ class WishForm final : public FieldForm {
   QCheckBox* m_buildable;
 };
 
-}  // namespace geargraph::inline designer
+}  // namespace geargraph

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/foundations/base/contract.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/patch.h"
 
-namespace geargraph::inline document {
+namespace geargraph {
 
 /// The only command class of the program: the difference between two immutable mechanisms. The mechanisms
 /// themselves are what the document has kept whole; older ones are made from their neighbour in the history.
@@ -106,7 +106,7 @@ const ElementIndex& Document::elements() const {
 }
 
 bool Document::apply(const Edit& edit) {
-  if (m_isTelling) return applyLater(edit);
+  if (m_isEmitting) return applyLater(edit);
   const Expected<PlacedMechanism> next = edit.reduce(m_placed);
   if (!next) {
     emit rejected(next.error());
@@ -245,11 +245,11 @@ void Document::publish(const PlacedMechanism& placed) {
   m_elements.reset();
   ++m_revision;
   if (!moved) m_mechanicsRevision = m_revision;
-  m_isTelling = true;
+  m_isEmitting = true;
   emit changed();
-  m_isTelling = false;
+  m_isEmitting = false;
 }
 
-}  // namespace geargraph::inline document
+}  // namespace geargraph
 
 #include "moc_document.cpp"

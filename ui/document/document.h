@@ -14,15 +14,15 @@
 #include "core/mechanism/model/element_index.h"
 #include "core/mechanism/placement/placed_mechanism.h"
 
-namespace geargraph::inline bodies {
+namespace geargraph {
 class DerivedGeometry;
-}  // namespace geargraph::inline bodies
+}  // namespace geargraph
 
-namespace geargraph::inline model {
+namespace geargraph {
 class MechanismPatch;
-}  // namespace geargraph::inline model
+}  // namespace geargraph
 
-namespace geargraph::inline document {
+namespace geargraph {
 
 /// A pure function from one mechanism to the next; functions on PlacedMechanism reuse the document's
 /// placement and pass on that of the result.
@@ -134,7 +134,7 @@ class Document : public QObject {
   MechanismPtr m_gestureStart;                     ///< the mechanism before the newest step
   std::size_t m_historyBytes = 0;
   std::size_t m_historyLimit = kHistoryLimit;
-  bool m_isTelling = false;    ///< changed() is being emitted
+  bool m_isEmitting = false;   ///< changed() is being emitted
   bool m_isReplacing = false;  ///< for replace()
   quint64 m_replacements = 0;
   bool m_rebuilding = false;            ///< the history is being rebuilt; nothing is published then
@@ -147,4 +147,4 @@ class Document : public QObject {
   QString m_filePath;
 };
 
-}  // namespace geargraph::inline document
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <QFont>
 #include <QUndoStack>
 
-namespace geargraph::inline document {
+namespace geargraph {
 
 HistoryModel::HistoryModel(const QUndoStack* stack, QObject* parent)
     : QAbstractListModel(parent), m_stack(stack), m_rows(stack->count() + 1) {
@@ -58,6 +58,6 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-}  // namespace geargraph::inline document
+}  // namespace geargraph
 
 #include "moc_history_model.cpp"

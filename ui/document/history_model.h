@@ -4,7 +4,7 @@
 
 class QUndoStack;
 
-namespace geargraph::inline document {
+namespace geargraph {
 
 /// The steps of a history, the oldest first: row 0 is the document before the first, row i that after i
 /// steps.
@@ -27,4 +27,4 @@ class HistoryModel : public QAbstractListModel {
   int m_rows;
 };
 
-}  // namespace geargraph::inline document
+}  // namespace geargraph

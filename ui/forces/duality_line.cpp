@@ -15,7 +15,7 @@
 #include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxMatrixColumns = 8;
@@ -37,13 +37,13 @@ QString printed(const std::string& text) {
 QString rateSymbol(const QFont& labelFont, const QColor& ink, double pixelRatio) {
   QFont font = labelFont;
   font.setPixelSize(QFontInfo(labelFont).pixelSize());
-  const QSize size(qCeil(panels::paintRate(nullptr, font, {}, {})), qCeil(QFontMetricsF(font).ascent()));
+  const QSize size(qCeil(paintRate(nullptr, font, {}, {})), qCeil(QFontMetricsF(font).ascent()));
   QImage image(size * pixelRatio, QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(pixelRatio);
   image.fill(Qt::transparent);
   QPainter painter(&image);
   painter.setPen(ink);
-  panels::paintRate(&painter, font, QPointF(0, size.height()), {});
+  paintRate(&painter, font, QPointF(0, size.height()), {});
   painter.end();
   QByteArray png;
   QBuffer buffer(&png);
@@ -254,7 +254,7 @@ QSize DualityLine::sizeHint() const {
   return m_textSize.grownBy(contentsMargins()).expandedTo(minimumSize());
 }
 
-void DualityLine::renewText(const QString& html) {
+void DualityLine::updateText(const QString& html) {
   if (html == text()) return;
   m_textSize = {};  // before the label asks for it
   setText(html);
@@ -278,12 +278,12 @@ void DualityLine::renew() {
     if (equations) {
       const Theme theme = themeOf(palette());
       const QString rate = rateSymbol(font(), qColor(ColorRole::ink, theme), devicePixelRatioF());
-      renewText(DualityText(mechanism, *equations, theme, rate).html());
+      updateText(DualityText(mechanism, *equations, theme, rate).html());
       m_mesh = mechanism.gearMeshes[static_cast<std::size_t>(equations->mesh)].id;
       m_joint = mechanism.turningJoints[static_cast<std::size_t>(equations->joint)].id;
     }
   }
-  if (!equations) renewText({});
+  if (!equations) updateText({});
   emit filled(equations.has_value());
   isChosen ? tell(m_mesh, m_joint) : tell({}, {});
 }
@@ -295,6 +295,6 @@ void DualityLine::tell(const ElementId& mesh, const ElementId& joint) {
   emit entryChanged(mesh, joint);
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_duality_line.cpp"

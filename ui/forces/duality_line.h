@@ -2,11 +2,11 @@
 
 #include <QLabel>
 
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 #include "ui/service/turns.h"
-#include "ui/statics/forces_service.h"
+#include "ui/workbench/forces_service.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// The row of P for the speeds of a mesh and the column of P for the torque in a joint, with their common
 /// entry framed. It follows the hovered joint and mesh, else the selected ones. The framed entry can be
@@ -39,17 +39,17 @@ class DualityLine : public QLabel {
 
  private:
   void renew();
-  void renewText(const QString& html);
+  void updateText(const QString& html);
   [[nodiscard]] std::set<ElementId> pointedAt() const;
   void tell(const ElementId& mesh, const ElementId& joint);
 
   Selection* m_selection;
   ForcesPtr m_forces;
-  mutable QSize m_textSize;                       ///< empty: not known yet
-  TurnOf m_styleTurn{this, [this] { renew(); }};  ///< for other colours or another font
-  std::set<ElementId> m_cell;                     ///< that of a matrix, under the mouse
-  ElementId m_mesh, m_joint;                      ///< of the entry that is framed here
-  std::set<ElementId> m_entry{ElementId()};       ///< last emitted; initially a value that no entry has
+  mutable QSize m_textSize;                              ///< empty: not known yet
+  CoalescedTask m_styleTurn{this, [this] { renew(); }};  ///< for other colours or another font
+  std::set<ElementId> m_cell;                            ///< that of a matrix, under the mouse
+  ElementId m_mesh, m_joint;                             ///< of the entry that is framed here
+  std::set<ElementId> m_entry{ElementId()};  ///< last emitted; initially a value that no entry has
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

@@ -13,7 +13,7 @@
 #include "ui/panels/number_field.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 constexpr int kSteps = 200;       ///< of the slider from 0 to 1
@@ -137,7 +137,7 @@ EfficiencyCard::EfficiencyCard(Document* document, QWidget* parent)
       m_document(document),
       m_answers(new Answers(&workOut, this)),
       m_slider(new QSlider(Qt::Horizontal, this)),
-      m_field(new panels::NumberField(this)),
+      m_field(new NumberField(this)),
       m_locking(new QLabel(this)),
       m_formula(new QLabel(this)) {
   setProperty("look", "card");
@@ -200,9 +200,8 @@ void EfficiencyCard::makeMover() {
   connect(m_slider, &QSlider::sliderPressed, this, [this] { m_gesture = m_document->newGesture(); });
   connect(m_slider, &QSlider::valueChanged, this,
           [this](int steps) { setEfficiency(Number(Rational(steps, kSteps))); });
-  connect(m_field, &panels::NumberField::editingStarted, this,
-          [this] { m_gesture = m_document->newGesture(); });
-  connect(m_field, &panels::NumberField::edited, this, [this](const std::optional<Number>& eta) {
+  connect(m_field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
+  connect(m_field, &NumberField::edited, this, [this](const std::optional<Number>& eta) {
     if (eta && (eta->exact().sign() <= 0 || eta->exact() > Rational(1)))
       return m_field->reject(tr("An efficiency is above 0 and at most 1."));
     setEfficiency(eta);
@@ -331,6 +330,6 @@ QString EfficiencyCard::locking() const {
   return m_locking->text();
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_efficiency_card.cpp"

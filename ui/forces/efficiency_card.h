@@ -5,16 +5,16 @@
 #include "core/theory/statics/locking_limits.h"
 #include "ui/document/document.h"
 #include "ui/service/service.h"
-#include "ui/statics/forces_service.h"
+#include "ui/workbench/forces_service.h"
 
 class QLabel;
 class QSlider;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 class NumberField;
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// Results that take longer than the torques themselves.
 struct EfficiencyAnswer {
@@ -58,10 +58,10 @@ class EfficiencyCard : public QFrame {
   ForcesPtr m_forces;
   Answers* m_answers;
   QSlider* m_slider;
-  panels::NumberField* m_field;
+  NumberField* m_field;
   QLabel* m_locking;
   QLabel* m_formula;
   quint64 m_gesture = 0;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

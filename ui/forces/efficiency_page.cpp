@@ -9,7 +9,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/sideways_scroll.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 void follow(const EfficiencyRequest& request,
@@ -99,7 +99,7 @@ EfficiencyPage::EfficiencyPage(QWidget* parent)
 void EfficiencyPage::show(const ForcesPtr& forces) {
   if (forces && forces == m_forces) return;
   m_forces = forces;
-  renewAxes();
+  updateAxes();
   ask();
 }
 
@@ -108,7 +108,7 @@ void EfficiencyPage::showEvent(QShowEvent* event) {
   ask();
 }
 
-void EfficiencyPage::renewAxes() {
+void EfficiencyPage::updateAxes() {
   m_axis->clear();
   if (!m_forces || !m_forces->report || m_forces->solved->matroid() == nullptr) return;
   const MatroidAnalysis& analysis = *m_forces->solved->matroid();
@@ -188,6 +188,6 @@ std::optional<ValueTable> EfficiencyPage::table() const {
                          followed()->curve);
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_efficiency_page.cpp"

@@ -3,13 +3,13 @@
 #include "core/teaching/force_tables/efficiency_table.h"
 #include "ui/forces/efficiency_plot.h"
 #include "ui/service/service.h"
-#include "ui/statics/forces_service.h"
+#include "ui/workbench/forces_service.h"
 
 class QComboBox;
 class QLabel;
 class QStackedWidget;
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 struct EfficiencyRequest {
   ForcesPtr forces;
@@ -51,7 +51,7 @@ class EfficiencyPage : public QWidget {
  private:
   using Curves = Service<EfficiencyRequest, FollowedEfficiencyPtr>;
 
-  void renewAxes();
+  void updateAxes();
   void ask();
   void showCurve();
   void leaveEmpty(const QString& why);
@@ -67,4 +67,4 @@ class EfficiencyPage : public QWidget {
   QLabel* m_empty;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

@@ -12,7 +12,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/motion_plot.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 constexpr double kLeft = 52, kTop = 22, kBelow = 34, kRight = 12;  // logical pixels
@@ -190,6 +190,6 @@ void EfficiencyPlot::keyPressEvent(QKeyEvent* event) {
   readAt(static_cast<std::size_t>(std::clamp(at, 0, count - 1)));
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_efficiency_plot.cpp"

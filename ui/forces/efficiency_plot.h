@@ -6,7 +6,7 @@
 
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// A line plot with axes and a legend; a line has gaps where it has no value. The pointer, or the left and
 /// right arrow keys, move a crosshair that reads the values.
@@ -56,4 +56,4 @@ class EfficiencyPlot : public QWidget {
   std::optional<std::size_t> m_read;  ///< index of the place at the crosshair
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

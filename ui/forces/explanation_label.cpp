@@ -5,7 +5,7 @@
 #include "core/teaching/force_tables/cutset_words.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 /// The position of the one element of a kind that is selected; none where there are more.
@@ -73,6 +73,6 @@ QString ExplanationLabel::words(std::set<ElementId>& highlighted) const {
       driverSentence(mechanism, kinematics.placement(), *m_forces->report, *mesh).value_or(std::string()));
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_explanation_label.cpp"

@@ -3,10 +3,10 @@
 #include <QLabel>
 #include <set>
 
-#include "ui/selection/selection.h"
-#include "ui/statics/forces_service.h"
+#include "ui/document/selection.h"
+#include "ui/workbench/forces_service.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// Explains the selected element by its torques: the cutset of a joint with its equation, or which gear of a
 /// mesh drives. The links that the joint cuts off, and the elements that cross, are highlighted in all views
@@ -32,4 +32,4 @@ class ExplanationLabel : public QLabel {
   bool m_isAwake = false;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

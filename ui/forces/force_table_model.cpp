@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 void ForceTableModel::show(const ForcesPtr& forces, ForceTableKind kind) {
   const bool isOther = std::exchange(m_kind, kind) != kind;
@@ -10,6 +10,6 @@ void ForceTableModel::show(const ForcesPtr& forces, ForceTableKind kind) {
   showTable(std::shared_ptr<const ValueTable>(forces, table()), isOther);
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_force_table_model.cpp"

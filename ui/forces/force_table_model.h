@@ -1,9 +1,9 @@
 #pragma once
 
 #include "ui/forces/value_table_model.h"
-#include "ui/statics/forces_service.h"
+#include "ui/workbench/forces_service.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// One table of statics.
 class ForceTableModel : public ValueTableModel {
@@ -23,4 +23,4 @@ class ForceTableModel : public ValueTableModel {
   ForceTableKind m_kind = ForceTableKind::joints;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

@@ -9,10 +9,10 @@
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/view3d/view3d.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 /// The entry that an equation of speeds and its dual of torques share is framed in Matrices, too: a click on
@@ -58,4 +58,4 @@ ViewEntry forcesView() {
           }};
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

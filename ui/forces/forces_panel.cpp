@@ -28,7 +28,7 @@
 #include "ui/theme/looks.h"
 #include "ui/theme/sideways_scroll.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 QString tipOf(ForceTableKind kind) {
@@ -197,7 +197,7 @@ QWidget* ForcesPanel::makeMiddle() {
 }
 
 void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
-  renewStates(*snapshot->mechanism);
+  updateStates(*snapshot->mechanism);
   ask();
 }
 
@@ -207,7 +207,7 @@ void ForcesPanel::setAwake(bool awake) {
 }
 
 /// "As engaged", then those of the document; the one that was chosen stays by its name.
-void ForcesPanel::renewStates(const Mechanism& mechanism) {
+void ForcesPanel::updateStates(const Mechanism& mechanism) {
   QStringList names{tr("as engaged")};
   for (const ShiftState& state : mechanism.states) names += tr("state %1").arg(shownText(state.name));
   const bool hasCouplings = !mechanism.couplings.empty();
@@ -412,6 +412,6 @@ void ForcesPanel::copy() {
   QApplication::clipboard()->setText(QString::fromStdString(sink.text()));
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_forces_panel.cpp"

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
-#include "ui/statics/forces_service.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/document/selection.h"
+#include "ui/workbench/forces_service.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -17,7 +17,7 @@ class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 class EfficiencyCard;
 class EfficiencyPage;
@@ -80,7 +80,7 @@ class ForcesPanel : public QWidget, public ResultsView {
   void addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning, QWidget* value);
   void addTotal(QHBoxLayout* layout, const char* name, const QString& text, const QString& meaning);
   void ask();
-  void renewStates(const Mechanism& mechanism);
+  void updateStates(const Mechanism& mechanism);
   void showForces();
   void showTotals();
   void showRemark();
@@ -123,4 +123,4 @@ class ForcesPanel : public QWidget, public ResultsView {
 
 [[nodiscard]] ViewEntry forcesView();
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/theme/control_button.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 /// The least width at which a text fits beside a title above a value.
@@ -136,4 +136,4 @@ void ForcesPanel::showTotals() {
              report.circulations->empty() ? tr("none") : numberText(report.circulations->front().power));
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 constexpr int kRowsMeasured = 40;  ///< for the widths of columns
@@ -48,6 +48,6 @@ bool LinkedTable::viewportEvent(QEvent* event) {
   return QTableView::viewportEvent(event);
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_linked_table.cpp"

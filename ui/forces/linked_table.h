@@ -2,10 +2,10 @@
 
 #include <QTableView>
 
+#include "ui/document/selection.h"
 #include "ui/forces/value_table_model.h"
-#include "ui/selection/selection.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// A table of values whose rows are linked with the selection in both directions.
 class LinkedTable : public QTableView {
@@ -26,4 +26,4 @@ class LinkedTable : public QTableView {
   Selection* m_selection;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

@@ -17,7 +17,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/laid_out_at_once.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 /// More rows than these are not listed: each is a handful of widgets.
@@ -295,14 +295,15 @@ void LoadsList::fillBalances(QMenu& menu) {
   menu.addSeparator();
   for (std::size_t i = 0; i < mechanism.turningJoints.size() && i < kMaxPlaces; ++i) {
     const JointId joint = mechanism.turningJoints[i].id;
-    std::vector<Balance> now = mechanism.balances.value_or(std::vector<Balance>());
-    const auto at = std::find_if(now.begin(), now.end(),
-                                 [&](const Balance& each) { return each.at == Balance{joint}.at; });
+    std::vector<HoldingTorque> now = mechanism.balances.value_or(std::vector<HoldingTorque>());
+    const auto at = std::find_if(now.begin(), now.end(), [&](const HoldingTorque& each) {
+      return each.at == HoldingTorque{joint}.at;
+    });
     const bool isThere = at != now.end();
     if (isThere) {
       now.erase(at);
     } else {
-      now.push_back(Balance{joint});
+      now.push_back(HoldingTorque{joint});
     }
     QAction* action =
         menu.addAction(nameOf(joint), this, [this, now] { balance(now, tr("Choose balances")); });
@@ -312,7 +313,7 @@ void LoadsList::fillBalances(QMenu& menu) {
   }
 }
 
-void LoadsList::balance(std::optional<std::vector<Balance>> balances, const QString& text) {
+void LoadsList::balance(std::optional<std::vector<HoldingTorque>> balances, const QString& text) {
   m_document->apply(
       {text,
        [balances = std::move(balances)](const Mechanism& before) { return withBalances(before, balances); },
@@ -330,6 +331,6 @@ bool LoadsList::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_loads_list.cpp"

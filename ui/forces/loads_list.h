@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 
 class QComboBox;
 class QGridLayout;
@@ -12,11 +12,11 @@ class QLabel;
 class QMenu;
 class QToolButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 class NumberField;
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// The loads of the document, one per row: element, value in the chosen unit, and a button for removal; and
 /// the places of the torques that hold them. Every change is an undoable edit; spinning a field until it is
@@ -51,7 +51,7 @@ class LoadsList : public QWidget {
   void addOn(const ElementId& element);
   void fillPlaces(QMenu& menu);
   void fillBalances(QMenu& menu);
-  void balance(std::optional<std::vector<Balance>> balances, const QString& text);
+  void balance(std::optional<std::vector<HoldingTorque>> balances, const QString& text);
   [[nodiscard]] QString titleOf(const Load& load) const;
   [[nodiscard]] QString tipOf(const Load& load) const;
   [[nodiscard]] ElementId elementOf(const Load& load) const;
@@ -73,4 +73,4 @@ class LoadsList : public QWidget {
   quint64 m_gesture = 0;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

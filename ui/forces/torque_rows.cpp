@@ -15,7 +15,7 @@
 #include "ui/theme/control_button.h"
 #include "ui/theme/laid_out_at_once.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxTorqueRows = 12;  ///< the panel Forces lists all
@@ -36,25 +36,26 @@ decltype(Load::action) withTorque(decltype(Load::action) action, const Number& t
   return action;
 }
 
-ElementId elementOf(const Balance& balance) {
+ElementId elementOf(const HoldingTorque& balance) {
   if (const auto* joint = std::get_if<JointId>(&balance.at)) return *joint;
-  return std::get<Balance::OnLink>(balance.at).link;
+  return std::get<HoldingTorque::OnLink>(balance.at).link;
 }
 
 bool isEngaged(const Mechanism& mechanism, const ElementId& coupling) {
-  return std::find(mechanism.engaged.begin(), mechanism.engaged.end(), CouplingId(coupling.id)) !=
+  return std::find(mechanism.engaged.begin(), mechanism.engaged.end(), ShiftElementId(coupling.id)) !=
          mechanism.engaged.end();
 }
 
 bool isBalanced(const Mechanism& mechanism, const ElementId& element) {
-  return mechanism.balances && std::any_of(mechanism.balances->begin(), mechanism.balances->end(),
-                                           [&](const Balance& each) { return elementOf(each) == element; });
+  return mechanism.balances &&
+         std::any_of(mechanism.balances->begin(), mechanism.balances->end(),
+                     [&](const HoldingTorque& each) { return elementOf(each) == element; });
 }
 
 /// Without the balances there; where none is left the program chooses.
 Expected<Mechanism> withoutBalance(const Mechanism& before, const ElementId& element) {
-  std::optional<std::vector<Balance>> balances = before.balances;
-  std::erase_if(*balances, [&](const Balance& each) { return elementOf(each) == element; });
+  std::optional<std::vector<HoldingTorque>> balances = before.balances;
+  std::erase_if(*balances, [&](const HoldingTorque& each) { return elementOf(each) == element; });
   if (balances->empty()) balances.reset();
   return withBalances(before, std::move(balances));
 }
@@ -147,10 +148,10 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
   const QString number = isKnown ? withMinus(shownNumber(torque.number())) : QString();
   if (isKnown && torque.isExact()) row.exact = withMinus(shownReal(torque));
   if (part.coupling >= 0) {
-    const Coupling& coupling = mechanism.couplings[static_cast<std::size_t>(part.coupling)];
+    const ShiftElement& coupling = mechanism.couplings[static_cast<std::size_t>(part.coupling)];
     const QString name = shownText(coupling.id.text());
     const QString first = linkLabel(coupling.links.front());
-    const bool isBrake = coupling.kind == CouplingKind::brake;
+    const bool isBrake = coupling.kind == ShiftElementKind::brake;
     row.kind = Kind::held;
     row.element = coupling.id;
     row.isOwn = isEngaged(*m_document->mechanism(), row.element);
@@ -234,7 +235,7 @@ TorqueRows::Row TorqueRows::makeRow(const Content& content, int line) {
   Row row;
   row.content = content;
   auto* dot = new QLabel(this);
-  dot->setPixmap(panels::linkDot(content.color, devicePixelRatioF()));
+  dot->setPixmap(linkDot(content.color, devicePixelRatioF()));
   dot->setAccessibleName(tr("Colour of link %1").arg(content.link));
   auto* name = new QToolButton(this);
   name->setText(content.name);
@@ -294,7 +295,7 @@ QWidget* TorqueRows::makeLetGo(const Content& content, int line) {
     if (isCoupling) {
       m_document->apply({tr("Release %1").arg(shownText(element.id.text())),
                          [element](const Mechanism& before) {
-                           return withCouplingEngaged(before, CouplingId(element.id), false);
+                           return withCouplingEngaged(before, ShiftElementId(element.id), false);
                          },
                          0});
       return;
@@ -306,15 +307,14 @@ QWidget* TorqueRows::makeLetGo(const Content& content, int line) {
 }
 
 QWidget* TorqueRows::makeField(const Content& content) {
-  auto* field = new panels::NumberField(this);
+  auto* field = new NumberField(this);
   field->setObjectName(QStringLiteral("torqueOfLoad.%1").arg(content.load));
   field->setAccessibleName(content.name);
   field->setFixedWidth(96);
   field->setAlignment(Qt::AlignCenter);
   field->setQuantity(Quantity::torque);
-  connect(field, &panels::NumberField::editingStarted, this,
-          [this] { m_gesture = m_document->newGesture(); });
-  connect(field, &panels::NumberField::edited, this,
+  connect(field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
+  connect(field, &NumberField::edited, this,
           [this, load = content.load](const std::optional<Number>& torque) {
             if (!torque) return;
             m_document->apply({tr("Set load"),
@@ -330,7 +330,7 @@ QWidget* TorqueRows::makeField(const Content& content) {
 void TorqueRows::showNumber(Row& row, const Content& content) {
   row.content = content;
   if (row.field != nullptr) {
-    static_cast<panels::NumberField*>(row.field)->setNumber(content.torque);
+    static_cast<NumberField*>(row.field)->setNumber(content.torque);
     return;
   }
   row.value->setText(content.value);
@@ -350,6 +350,6 @@ bool TorqueRows::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_torque_rows.cpp"

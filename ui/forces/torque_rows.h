@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
-#include "ui/statics/forces_service.h"
+#include "ui/document/selection.h"
+#include "ui/workbench/forces_service.h"
 
 class QGridLayout;
 class QLabel;
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// The torque rows between the inputs and the results of a document with loads: the torque of each load (an
 /// editable number and a button for removal), the torques found, and those of brakes and clutches. Balances
@@ -73,4 +73,4 @@ class TorqueRows : public QWidget {
   quint64 m_gesture = 0;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

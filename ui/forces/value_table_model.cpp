@@ -6,7 +6,7 @@
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 namespace {
 
 QVariant alignmentOf(const ForceColumn& column) {
@@ -83,6 +83,6 @@ QVariant ValueTableModel::headerData(int section, Qt::Orientation orientation, i
   return {};
 }
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph
 
 #include "moc_value_table_model.cpp"

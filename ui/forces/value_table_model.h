@@ -6,7 +6,7 @@
 
 #include "core/teaching/force_tables/force_table.h"
 
-namespace geargraph::inline forces {
+namespace geargraph {
 
 /// A table of values with definitions. Fractions are shown beside their decimals; the tool tip of a cell
 /// explains its column.
@@ -36,4 +36,4 @@ class ValueTableModel : public QAbstractTableModel {
   std::shared_ptr<const ValueTable> m_table;
 };
 
-}  // namespace geargraph::inline forces
+}  // namespace geargraph

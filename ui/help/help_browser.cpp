@@ -15,7 +15,7 @@
 #include "core/presentation/typeset/typeset.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 namespace {
 
 constexpr int kMargin = 24;
@@ -179,6 +179,6 @@ void HelpBrowser::resizeEvent(QResizeEvent* event) {
     QTimer::singleShot(0, this, &HelpBrowser::setPage);
 }
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph
 
 #include "moc_help_browser.cpp"

@@ -3,14 +3,14 @@
 #include <QTextBrowser>
 #include <vector>
 
-#include "ui/derivation/formula_painter.h"
 #include "ui/help/help_pictures.h"
+#include "ui/reading/formula_painter.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 struct ManualPage;
-}  // namespace geargraph::inline manual
+}  // namespace geargraph
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 
 /// Shows a page of the manual with its formulas and pictures, in the colours and fonts of the window. Clicks
 /// on commands, pages and lessons are emitted as signals, which the window handles.
@@ -51,4 +51,4 @@ class HelpBrowser : public QTextBrowser {
   int m_laidOutFor = 0;                 ///< width for pictures in the present layout
 };
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <algorithm>
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 namespace {
 
 struct Entry {
@@ -74,4 +74,4 @@ QStringList namedPages() {
   return pages;
 }
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/presentation/manual/manual_picture.h"
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 namespace {
 
 constexpr QSize kDrawing{540, 300};
@@ -96,6 +96,6 @@ QImage HelpPictures::ofWindow(const QString& name, Theme theme, int width, doubl
   return picture;
 }
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph
 
 #include "moc_help_pictures.cpp"

@@ -8,7 +8,7 @@
 
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 
 /// The pictures of the manual: drawings are made on a background thread when a page first shows them,
 /// screenshots are read from the folder that the build has filled.
@@ -42,4 +42,4 @@ class HelpPictures : public QObject {
   int m_underWay = 0;
 };
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph

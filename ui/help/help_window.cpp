@@ -15,7 +15,7 @@
 #include "ui/help/help_browser.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 namespace {
 
 constexpr int kContentsWidth = 240;
@@ -159,7 +159,7 @@ void HelpWindow::display(const QString& place) {
     ((*item)->parent() != nullptr ? (*item)->parent() : *item)->setExpanded(true);
     m_contents->setCurrentItem(*item);
   }
-  renewButtons();
+  updateButtons();
 }
 
 void HelpWindow::go(int steps) {
@@ -169,7 +169,7 @@ void HelpWindow::go(int steps) {
   display(m_places[m_at]);
 }
 
-void HelpWindow::renewButtons() {
+void HelpWindow::updateButtons() {
   m_back->setEnabled(m_at > 0);
   m_back->setToolTip(m_at > 0 ? tr("Back (Alt+Left)") : tr("This is the first page that you opened."));
   const bool hasNext = m_at + 1 < m_places.size();
@@ -201,6 +201,6 @@ void HelpWindow::keyPressEvent(QKeyEvent* event) {
   QDialog::keyPressEvent(event);
 }
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph
 
 #include "moc_help_window.cpp"

@@ -9,7 +9,7 @@ class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 
 class HelpBrowser;
 
@@ -41,7 +41,7 @@ class HelpWindow : public QDialog {
   void display(const QString& place);
   void go(int steps);
   void findNext();
-  void renewButtons();
+  void updateButtons();
 
   HelpBrowser* m_browser;
   QTreeWidget* m_contents;
@@ -53,4 +53,4 @@ class HelpWindow : public QDialog {
   std::size_t m_at = 0;
 };
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph

@@ -13,7 +13,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 namespace {
 
 constexpr int kCardWidth = 380;
@@ -217,6 +217,6 @@ void Tour::paintEvent(QPaintEvent* /*event*/) {
   for (const QRect& part : m_target) painter.drawRoundedRect(part.adjusted(1, 1, -1, -1), kCorner, kCorner);
 }
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph
 
 #include "moc_tour.cpp"

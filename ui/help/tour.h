@@ -9,7 +9,7 @@
 class QLabel;
 class QPushButton;
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 
 /// One step of a tour.
 struct TourStep {
@@ -72,4 +72,4 @@ class Tour : public QWidget {
   QPushButton* m_next = nullptr;
 };
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph

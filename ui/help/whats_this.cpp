@@ -8,7 +8,7 @@
 
 #include "ui/help/help_page_of.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 namespace {
 
 /// "E&xport" without the sign of its key.
@@ -68,6 +68,6 @@ bool WhatsThis::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph
 
 #include "moc_whats_this.cpp"

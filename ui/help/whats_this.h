@@ -5,7 +5,7 @@
 class QAction;
 class QMainWindow;
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 
 /// "What's This?" for everything in a window: widgets without a text of their own show their tool tip, and
 /// those without one the purpose of their panel with a link to the manual.
@@ -29,4 +29,4 @@ class WhatsThis : public QObject {
   QMainWindow* m_window;
 };
 
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph

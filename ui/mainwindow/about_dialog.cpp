@@ -8,7 +8,7 @@
 
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -51,4 +51,4 @@ void showAboutDialog(QWidget* parent) {
   box->show();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 class QWidget;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The program and its environment, one line each: version, Qt, system, platform, OpenGL driver. For bug
 /// reports; without names of users or files. @pre there is an application
@@ -13,4 +13,4 @@ namespace geargraph::inline mainwindow {
 /// Shows the About dialog, with a button that copies programDetails().
 void showAboutDialog(QWidget* parent);
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 QString words(const char* text) {
@@ -573,4 +573,4 @@ std::vector<Command> commandTable() {
   return all;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The commands of a window. Tools, numbers of planets, sizes of type, languages, panels and examples are
 /// commands of their own kinds, made from their own lists.
@@ -133,4 +133,4 @@ struct Command {
 /// One row for each CommandId, in their order.
 [[nodiscard]] std::vector<Command> commandTable();
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

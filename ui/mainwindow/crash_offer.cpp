@@ -11,12 +11,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/crash/crash_report.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/recovery/crash_report.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 void copy(const CrashReport& report) {
@@ -83,4 +83,4 @@ void offerCrashReports(const QString& folder, MainWindow& window) {
   }
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class MainWindow;
 
@@ -10,4 +10,4 @@ class MainWindow;
 /// deleted. A report that was shown or copied is not offered again.
 void offerCrashReports(const QString& folder, MainWindow& window);
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "ui/settings/settings.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 const QString kSeparatorKey = QStringLiteral("csv/separator");
@@ -71,6 +71,6 @@ void CsvDialog::remember() const {
   saveSetting(kMarkKey, m_mark->isChecked());
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_csv_dialog.cpp"

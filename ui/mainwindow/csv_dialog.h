@@ -7,7 +7,7 @@
 class QCheckBox;
 class QComboBox;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Asks for the CSV options of a table, those of `geargraph-cli export --to csv`; the file is chosen
 /// afterwards. The choice is remembered. Not modal.
@@ -29,4 +29,4 @@ class CsvDialog final : public QDialog {
   QCheckBox* m_mark;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

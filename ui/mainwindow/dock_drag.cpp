@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// Keys of the drag itself, as Ctrl, with which the dock stays free. Esc is Qt's.
@@ -90,6 +90,6 @@ bool DockDrag::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_dock_drag.cpp"

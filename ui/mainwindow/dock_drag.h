@@ -2,7 +2,7 @@
 
 #include <QMainWindow>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Keys do nothing while a dock is being dragged, and the drag ends before its window does. Commands that
 /// show, hide or restore docks in the middle of a drag leave QMainWindow with items that it has deleted
@@ -31,4 +31,4 @@ class DockDrag : public QObject {
   QByteArray m_before;  ///< the layout before the last drag; empty when that has ended
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

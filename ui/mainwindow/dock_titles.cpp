@@ -6,10 +6,10 @@
 #include <QStyle>
 #include <QStyleOption>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 DockTitles::DockTitles(QMainWindow* window) : QObject(window), m_window(window) {
-  connect(window, &QMainWindow::tabifiedDockWidgetActivated, this, &DockTitles::renewSoon);
+  connect(window, &QMainWindow::tabifiedDockWidgetActivated, this, &DockTitles::updateSoon);
   window->installEventFilter(this);
 }
 
@@ -18,7 +18,7 @@ bool DockTitles::eventFilter(QObject* watched, QEvent* event) {
     QObject* child = static_cast<QChildEvent*>(event)->child();
     if (child->inherits("QDockWidgetGroupWindow")) child->installEventFilter(this);
   }
-  if (watched == m_window && event->type() == QEvent::PaletteChange) renewButtons();
+  if (watched == m_window && event->type() == QEvent::PaletteChange) updateButtons();
   if (watched == m_window || event->type() != QEvent::Close) return QObject::eventFilter(watched, event);
   for (auto* dock : watched->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) dock->close();
   event->ignore();  // it hides itself when it is empty
@@ -27,14 +27,14 @@ bool DockTitles::eventFilter(QObject* watched, QEvent* event) {
 
 void DockTitles::watch(QDockWidget* dock) {
   m_docks << dock;
-  connect(dock, &QDockWidget::topLevelChanged, this, &DockTitles::renewSoon);
-  connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitles::renewSoon);
-  connect(dock, &QDockWidget::visibilityChanged, this, &DockTitles::renewSoon);
-  renewSoon();
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockTitles::updateSoon);
+  connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitles::updateSoon);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockTitles::updateSoon);
+  updateSoon();
 }
 
 /// When the move that is under way has ended: a dock must not lose its title bar in the middle of a drag.
-void DockTitles::renewSoon() {
+void DockTitles::updateSoon() {
   if (m_pending) return;
   m_pending = true;
   QMetaObject::invokeMethod(this, &DockTitles::renew, Qt::QueuedConnection);
@@ -53,7 +53,7 @@ void DockTitles::renew() {
 }
 
 /// Qt asks the style for their pictures when it makes a title bar, and not again for another theme.
-void DockTitles::renewButtons() {
+void DockTitles::updateButtons() {
   const std::pair<QString, QStyle::StandardPixmap> buttons[] = {
       {QStringLiteral("qt_dockwidget_closebutton"), QStyle::SP_TitleBarCloseButton},
       {QStringLiteral("qt_dockwidget_floatbutton"), QStyle::SP_TitleBarNormalButton}};
@@ -67,6 +67,6 @@ void DockTitles::renewButtons() {
   }
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_dock_titles.cpp"

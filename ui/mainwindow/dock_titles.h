@@ -2,7 +2,7 @@
 
 #include <QMainWindow>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Hides the title bars of tabbed docks, which have tabs instead; a dock that floats or is alone shows its
 /// title bar, with buttons in the theme's colour. Updated while docks are moved. The window of a floating
@@ -20,12 +20,12 @@ class DockTitles : public QObject {
 
  private:
   void renew();
-  void renewSoon();
-  void renewButtons();
+  void updateSoon();
+  void updateButtons();
 
   QMainWindow* m_window;
   QList<QDockWidget*> m_docks;
   bool m_pending = false;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

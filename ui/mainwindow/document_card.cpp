@@ -8,7 +8,7 @@
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr int kGap = 8;       ///< between a card and the next
@@ -106,6 +106,6 @@ void DocumentCard::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->restore();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_document_card.cpp"

@@ -2,7 +2,7 @@
 
 #include <QStyledItemDelegate>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Roles of a list of documents; the name is its display text.
 enum DocumentRole {
@@ -27,4 +27,4 @@ class DocumentCard : public QStyledItemDelegate {
   Form m_form;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

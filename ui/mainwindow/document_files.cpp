@@ -16,7 +16,7 @@
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "ui/service/background_work.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// A file of so many bytes is read within a frame or two (3 MB: 0.1 to 0.2 s).
@@ -152,4 +152,4 @@ QString robotExamplePath() {
   return QStringLiteral(":/examples/robot.geargraph");
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

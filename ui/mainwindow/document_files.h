@@ -10,7 +10,7 @@
 
 class QWidget;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Is it a table of a document (`geargraph-cli convert`), judged by its name: "*.csv" or "*.tsv"? A table is
 /// imported, and the document is saved to a different file.
@@ -41,4 +41,4 @@ namespace geargraph::inline mainwindow {
 [[nodiscard]] QStringList examplePaths();
 [[nodiscard]] QString robotExamplePath();
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -18,7 +18,7 @@
 #include "ui/panels/long_edit.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// Above this number of links a picture would not be readable.
@@ -35,8 +35,8 @@ DisplayList partOf(DisplayList drawing, const Mechanism& fragment, bool withGrou
   for (const Axis& axis : fragment.axes) copied.insert(axis.id);
   for (const TurningJoint& joint : fragment.turningJoints) copied.insert(joint.id);
   for (const GearMesh& mesh : fragment.gearMeshes) copied.insert(mesh.id);
-  for (const Coupling& coupling : fragment.couplings) copied.insert(coupling.id);
-  for (const SheetNote& note : fragment.view.notes) copied.insert(note.id);
+  for (const ShiftElement& coupling : fragment.couplings) copied.insert(coupling.id);
+  for (const CanvasNote& note : fragment.view.notes) copied.insert(note.id);
   std::erase_if(drawing.marks, [&](const Mark& mark) { return !copied.contains(mark.element); });
   return drawing;
 }
@@ -192,6 +192,6 @@ void EditCommands::insertSet(const Mechanism& set) {
                      0});
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_edit_commands.cpp"

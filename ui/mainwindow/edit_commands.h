@@ -9,17 +9,17 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline document {
+namespace geargraph {
 class Document;
-}  // namespace geargraph::inline document
-namespace geargraph::inline selection {
+}  // namespace geargraph
+namespace geargraph {
 class Selection;
-}  // namespace geargraph::inline selection
-namespace geargraph::inline workbench {
+}  // namespace geargraph
+namespace geargraph {
 class Workbench;
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class PictureClipboard;
 
@@ -59,4 +59,4 @@ class EditCommands : public QObject {
   PictureOf m_picture;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

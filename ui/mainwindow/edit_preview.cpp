@@ -9,7 +9,7 @@
 #include "ui/workbench/edit_trial.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -31,4 +31,4 @@ void showPreviews(QMenu& menu, Workbench& workbench, std::function<void(const QS
   });
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -5,11 +5,11 @@
 
 class QMenu;
 
-namespace geargraph::inline workbench {
+namespace geargraph {
 class Workbench;
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// While an entry of the menu is previewed (MenuPreview), everything derived from the document (results,
 /// speeds, motion) shows the document after the entry's edit. The document itself, its history and its
@@ -17,4 +17,4 @@ namespace geargraph::inline mainwindow {
 /// when it ends. The workbench outlives the menu.
 void showPreviews(QMenu& menu, Workbench& workbench, std::function<void(const QString&)> tell);
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -13,7 +13,7 @@
 
 #include "ui/settings/settings.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 const QString kExportFormatKey = QStringLiteral("export/format");
@@ -89,15 +89,15 @@ ExportDialog::ExportDialog(SnapshotPtr live, QWidget* parent)
     emit wanted(m_format->currentData().toString(), options());
     accept();
   });
-  connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::renewOptions);
+  connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::updateOptions);
   const std::string last = savedSetting(kExportFormatKey).toString().toStdString();
   choose(exporterWithId(last) != nullptr ? last : allExporters().front()->id);
-  renewOptions();
+  updateOptions();
 }
 
 void ExportDialog::setSnapshot(const SnapshotPtr& live) {
   m_live = live;
-  renewReason();
+  updateReason();
 }
 
 void ExportDialog::choose(std::string_view id) {
@@ -117,7 +117,7 @@ OptionValues ExportDialog::options() const {
   return withImplied(exporter(), std::move(given));
 }
 
-void ExportDialog::renewOptions() {
+void ExportDialog::updateOptions() {
   m_fields.clear();
   auto* page = new QWidget(m_scroll);
   auto* form = new QFormLayout(page);
@@ -138,10 +138,10 @@ void ExportDialog::renewOptions() {
   if (m_fields.empty()) form->addRow(new QLabel(tr("This format has no options."), page));
   m_scroll->setWidget(page);  // deletes the one before
   page->setAutoFillBackground(false);
-  renewReason();
+  updateReason();
 }
 
-void ExportDialog::renewReason() {
+void ExportDialog::updateReason() {
   const std::string why = m_live ? unmetNeed(exporter(), *m_live) : std::string();
   m_export->setEnabled(why.empty());
   m_reason->setVisible(!why.empty());
@@ -188,6 +188,6 @@ QWidget* ExportDialog::fieldFor(const ExportOption& option) {
   return row;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_export_dialog.cpp"

@@ -13,7 +13,7 @@ class QLabel;
 class QPushButton;
 class QScrollArea;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Asks for a format of all that core exports (allExporters()), and for its options by their types; the file
 /// is chosen afterwards. A format that the document has nothing for says why. Not modal.
@@ -36,8 +36,8 @@ class ExportDialog final : public QDialog {
   void wanted(const QString& id, const geargraph::OptionValues& options);
 
  private:
-  void renewOptions();
-  void renewReason();
+  void updateOptions();
+  void updateReason();
   QWidget* fieldFor(const ExportOption& option);
 
   SnapshotPtr m_live;
@@ -49,4 +49,4 @@ class ExportDialog final : public QDialog {
   std::vector<std::pair<std::string_view, std::function<QString()>>> m_fields;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

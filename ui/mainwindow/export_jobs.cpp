@@ -6,7 +6,7 @@
 #include "core/foundations/files/file.h"
 #include "ui/mainwindow/notice_bar.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 const QString kKey = QStringLiteral("exports");
@@ -84,6 +84,6 @@ void ExportJobs::onDone(const Job& job, const QString& why, bool stopped) {
   if (!m_isBusy) startNext();  // whoever heard of it may have added one
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_export_jobs.cpp"

@@ -11,7 +11,7 @@
 
 #include "ui/service/background_work.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class NoticeBar;
 
@@ -61,4 +61,4 @@ class ExportJobs : public QObject, public BackgroundWork {
   std::jthread m_thread;  ///< last: it ends before the members it uses are destroyed
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 QString documentFilter() {
   return QCoreApplication::translate("MainWindow", "GearGraph documents (*.geargraph);;All files (*)");
@@ -25,4 +25,4 @@ Edit takingOver(const QString& text, const MechanismPtr& mechanism) {
   return {text, [mechanism](const Mechanism&) -> Expected<Mechanism> { return *mechanism; }, 0};
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

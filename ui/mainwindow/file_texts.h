@@ -5,7 +5,7 @@
 #include "core/mechanism/model/difference.h"
 #include "ui/document/document.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The file types of the dialog that saves documents.
 [[nodiscard]] QString documentFilter();
@@ -18,4 +18,4 @@ namespace geargraph::inline mainwindow {
 /// The edit that replaces the whole mechanism, named `text` in the undo list.
 [[nodiscard]] Edit takingOver(const QString& text, const MechanismPtr& mechanism);
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FileWatch::check);
@@ -52,6 +52,6 @@ void FileWatch::check() {
   }
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_file_watch.cpp"

@@ -7,7 +7,7 @@
 
 #include "core/foundations/files/file_identity.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Signals when another program writes or removes a file.
 class FileWatch : public QObject {
@@ -45,4 +45,4 @@ class FileWatch : public QObject {
   Stamp m_told;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

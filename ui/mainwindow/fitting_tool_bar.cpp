@@ -4,7 +4,7 @@
 #include <QLayout>
 #include <QToolButton>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 void FittingToolBar::addNamed(QAction* action) {
   addAction(action);
@@ -38,6 +38,6 @@ void FittingToolBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fit();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_fitting_tool_bar.cpp"

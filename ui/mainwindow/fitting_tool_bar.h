@@ -2,7 +2,7 @@
 
 #include <QToolBar>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// A tool bar whose buttons show their names where all fit, otherwise their icons only, so that none goes
 /// into the menu at its end.
@@ -28,4 +28,4 @@ class FittingToolBar : public QToolBar {
   bool m_areNamesShown = true;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "ui/document/document.h"
 #include "ui/document/history_model.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 HistoryDialog::HistoryDialog(Document* document, QWidget* parent)
     : QDialog(parent),
@@ -47,6 +47,6 @@ void HistoryDialog::showStep() {
   m_list->scrollTo(now);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_history_dialog.cpp"

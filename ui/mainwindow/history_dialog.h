@@ -4,12 +4,12 @@
 
 class QListView;
 
-namespace geargraph::inline document {
+namespace geargraph {
 class Document;
 class HistoryModel;
-}  // namespace geargraph::inline document
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The history of a document as a list: a click on a step, or Return, goes to it. Follows the document. Not
 /// modal.
@@ -27,4 +27,4 @@ class HistoryDialog final : public QDialog {
   QListView* m_list;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

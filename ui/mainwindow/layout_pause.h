@@ -4,7 +4,7 @@
 #include <QMainWindow>
 #include <QPointer>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Lays a window out once when it goes. Qt does so for each bar and dock that is shown: with ten of them a
 /// command took 30 to 60 ms.
@@ -24,4 +24,4 @@ class LayoutPause {
   QPointer<QLayout> m_layout;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

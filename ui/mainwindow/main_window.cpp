@@ -13,12 +13,11 @@
 #include "core/mechanism/model/validate.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/drawing_accessible.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/canvas/tt_graph_view.h"
-#include "ui/derivation/derivation_panel.h"
-#include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
+#include "ui/forces/inputs_and_results.h"
 #include "ui/help/help_page_of.h"
-#include "ui/inputs/inputs_and_results.h"
 #include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
@@ -40,22 +39,23 @@
 #include "ui/mainwindow/window_help.h"
 #include "ui/models/joint_preview.h"
 #include "ui/models/term_tips.h"
+#include "ui/motion_panel/dynamics_panel.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
+#include "ui/reading/derivation_panel.h"
 #include "ui/recovery/autosave.h"
-#include "ui/schematic/schematic_view.h"
 #include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 #include "ui/view3d/motion_panel.h"
-#include "ui/view3d/stage_accessible.h"
+#include "ui/view3d/scene_accessible.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(new Workbench, parent) {}
 
@@ -106,7 +106,7 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
   resize(1366, 768);
   m_workbench->request();
   onDocumentChanged();
-  renewTitle();
+  updateTitle();
 }
 
 MainWindow::~MainWindow() {
@@ -174,7 +174,7 @@ MotionPanel& MainWindow::motion() const {
 void MainWindow::makeViews() {
   new DockDrag(this);
   m_docks = new ViewDocks(this, [this] { drawing().setFocus(); });
-  connect(m_views, &Views::settled, this, &MainWindow::tellWhenSettled);
+  connect(m_views, &Views::settled, this, &MainWindow::emitSettledIfIdle);
   connect(m_views, &Views::revealWanted, m_docks,
           [this](const ResultsView* view) { m_docks->reveal(*view); });
   connect(m_views, &Views::rejected, m_status, &StatusLine::showRejection);
@@ -190,7 +190,7 @@ void MainWindow::makeViews() {
     }
   }
   m_power = new PowerView(*m_workbench, m_allDrawings, this);
-  connect(m_power, &PowerView::shown, this, &MainWindow::tellWhenSettled);
+  connect(m_power, &PowerView::shown, this, &MainWindow::emitSettledIfIdle);
   connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
   onDrawingChosen();
 }
@@ -286,7 +286,7 @@ void MainWindow::makeCommands() {
 
 void MainWindow::makeHelp() {
   TourStage stage;
-  stage.whyNone = [this] {
+  stage.unavailableReason = [this] {
     return m_lesson == nullptr ? QString()
                                : tr("A lesson is played in this window: take the tour in another one.");
   };
@@ -310,8 +310,8 @@ void MainWindow::makeHelp() {
 void MainWindow::wireViews() {
   connect(m_document, &Document::changed, this, &MainWindow::onDocumentChanged);
   new RenumberingNotice(m_document, m_selection, m_status, this);
-  connect(m_document, &Document::modifiedChanged, this, &MainWindow::renewTitle);
-  connect(m_document, &Document::filePathChanged, this, &MainWindow::renewTitle);
+  connect(m_document, &Document::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(m_document, &Document::filePathChanged, this, &MainWindow::updateTitle);
   connect(m_document, &Document::rejected, this, [this](const Diagnostics& why) {
     m_status->showRejection(shownText(why.front().message));
     m_selection->hover({why.front().elements.begin(), why.front().elements.end()});
@@ -320,7 +320,7 @@ void MainWindow::wireViews() {
   for (ServiceSignals* service : findChildren<ServiceSignals*>()) {  // those of the views, too
     connect(service, &ServiceSignals::failed, this, [this](const QString& why) {
       m_status->showRejection(tr("The views could not be updated: %1.").arg(why));
-      tellWhenSettled();
+      emitSettledIfIdle();
     });
   }
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::onSelectionChanged);
@@ -329,7 +329,7 @@ void MainWindow::wireViews() {
     setTheme(themeOf(QApplication::palette()), !on);
   });
   connect(m_presentation, &Presentation::played, this, [this] { view3d().playback().toggle(); });
-  m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr&) { tellWhenSettled(); });
+  m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr&) { emitSettledIfIdle(); });
   m_workbench->forces().onAnswer(this, [this](const ForcesPtr&) { onForces(); });
   connect(m_views, &Views::tableExportWanted, m_exports, &WindowExports::chooseAndExportTable);
   MatricesPanel& matrices = this->matrices();
@@ -337,7 +337,7 @@ void MainWindow::wireViews() {
           qOverload<const IntegerMatrixPtr&>(&WindowExports::chooseAndExport));
   connect(&matrices, &MatricesPanel::quantityExportWanted, m_exports,
           &WindowExports::chooseAndExportQuantity);
-  connect(&matrices.model(), &MatrixModel::matrixChanged, this, &MainWindow::renewCommands);
+  connect(&matrices.model(), &MatrixModel::matrixChanged, this, &MainWindow::updateCommands);
   for (GraphView* graph : std::initializer_list<GraphView*>{&digraph(), &ttGraph()}) {
     connect(&matrices.view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
   }
@@ -372,19 +372,19 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 
 void MainWindow::wireView3D() {
   m_workbench->stages().setPaintedByWindow(!view3d().isImage());
-  m_workbench->stages().onAnswer(this, [this](const StagePtr& stage) { onStage(stage); });
+  m_workbench->stages().onAnswer(this, [this](const MechanismScenePtr& stage) { onStage(stage); });
   connect(m_document, &Document::replaced, this, &MainWindow::startView3DAnew);
   wireView3DCommands();
 }
 
 /// While a link hangs loose or the joints close a loop there is no picture: then the last one stays.
-void MainWindow::onStage(const StagePtr& stage) {
+void MainWindow::onStage(const MechanismScenePtr& stage) {
   const bool empty = stage->scene.instances.empty();
   const Mechanism& mechanism = *m_document->mechanism();
   const Diagnostics why =
       empty && m_hasPicture && mechanism.n() > 0 ? treeDiagnostics(mechanism) : Diagnostics();
   if (why.empty()) {
-    view3d().setStage(stage);
+    view3d().setScene(stage);
     m_hasPicture = !empty;
   }
   const QString notShown =
@@ -392,7 +392,7 @@ void MainWindow::onStage(const StagePtr& stage) {
   view3d().setNote(why.empty()
                        ? notShown
                        : tr("Shown as before the last changes. %1").arg(shownText(why.front().message)));
-  tellWhenSettled();
+  emitSettledIfIdle();
 }
 
 /// Views may show what is gone (the last picture in 3D): it cannot be selected.
@@ -401,7 +401,7 @@ void MainWindow::onSelectionChanged() {
   const auto isThere = [&](const ElementId& element) { return elements.contains(element); };
   const auto& selected = m_selection->selected();
   if (!std::all_of(selected.begin(), selected.end(), isThere)) return m_selection->keepOnly(isThere);
-  renewCommands();
+  updateCommands();
 }
 
 void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
@@ -416,7 +416,7 @@ bool MainWindow::isSettled() const {
          findChild<PowerArrows*>()->isSettled();
 }
 
-void MainWindow::tellWhenSettled() {
+void MainWindow::emitSettledIfIdle() {
   if (isSettled()) emit settled();
 }
 
@@ -427,20 +427,20 @@ void MainWindow::onDocumentChanged() {
   }
   m_views->setMechanism(m_document->mechanism());
   m_status->clearRejection();
-  renewCommands();
+  updateCommands();
 }
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_views->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
-  renewCommands();
+  updateCommands();
   raiseProblems(*snapshot);
-  tellWhenSettled();
+  emitSettledIfIdle();
 }
 
 void MainWindow::onForces() {
-  renewCommands();
-  tellWhenSettled();
+  updateCommands();
+  emitSettledIfIdle();
 }
 
 bool MainWindow::openDocument(const QString& path) {
@@ -451,7 +451,7 @@ bool MainWindow::saveDocument(const QString& path) {
   return m_files->save(path);
 }
 
-void MainWindow::renewTitle() {
+void MainWindow::updateTitle() {
   const QString readOnly = m_files->isReadOnly() ? tr(" (read-only)") : QString();
   setWindowTitle(m_files->title() + readOnly + QStringLiteral("[*] — GearGraph"));
   setWindowModified(m_document->isModified());
@@ -472,7 +472,7 @@ void MainWindow::setTheme(Theme theme, bool isLaidOutNext) {
 
 bool MainWindow::event(QEvent* event) {
   const bool isOther = event->type() == QEvent::ThemeChange && followsSystemTheme();
-  if (event->type() == QEvent::ThemeChange) renewSystemTheme();
+  if (event->type() == QEvent::ThemeChange) updateSystemTheme();
   if (isOther && systemTheme() != themeOf(QApplication::palette())) setTheme(systemTheme());
   return QMainWindow::event(event);
 }
@@ -490,6 +490,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   emit closed();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_main_window.cpp"

@@ -6,58 +6,58 @@
 
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/window_actions.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 class DigraphView;
 class DrawingView;
 class TtGraphView;
-}  // namespace geargraph::inline canvas
-namespace geargraph::inline forces {
+}  // namespace geargraph
+namespace geargraph {
 class ForcesPanel;
-}  // namespace geargraph::inline forces
-namespace geargraph::inline lessons {
+}  // namespace geargraph
+namespace geargraph {
 struct Lesson;
-}  // namespace geargraph::inline lessons
-namespace geargraph::inline panels {
+}  // namespace geargraph
+namespace geargraph {
 class GearboxPanel;
 class InsertSetDialog;
 class MatricesPanel;
 class ProblemsPanel;
 class ResultsPanel;
-}  // namespace geargraph::inline panels
-namespace geargraph::inline printing {
+}  // namespace geargraph
+namespace geargraph {
 struct PrintSource;
-}  // namespace geargraph::inline printing
-namespace geargraph::inline search {
+}  // namespace geargraph
+namespace geargraph {
 class SearchField;
-}  // namespace geargraph::inline search
-namespace geargraph::inline ui_dynamics {
+}  // namespace geargraph
+namespace geargraph {
 class DynamicsPanel;
-}  // namespace geargraph::inline ui_dynamics
-namespace geargraph::inline ui_derivation {
+}  // namespace geargraph
+namespace geargraph {
 class DerivationPanel;
-}  // namespace geargraph::inline ui_derivation
-namespace geargraph::inline ui_lessons {
+}  // namespace geargraph
+namespace geargraph {
 class CourseDialog;
 class LessonPanel;
-}  // namespace geargraph::inline ui_lessons
-namespace geargraph::inline ui_exercises {
+}  // namespace geargraph
+namespace geargraph {
 class ExercisesDialog;
-}  // namespace geargraph::inline ui_exercises
-namespace geargraph::inline ui_paper_check {
-class PaperCheckDialog;
-}  // namespace geargraph::inline ui_paper_check
-namespace geargraph::inline ui_schematic {
+}  // namespace geargraph
+namespace geargraph {
+class WorkCheckDialog;
+}  // namespace geargraph
+namespace geargraph {
 class SchematicView;
-}  // namespace geargraph::inline ui_schematic
-namespace geargraph::inline view3d {
+}  // namespace geargraph
+namespace geargraph {
 class MotionPanel;
 class View3D;
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class EditCommands;
 class NoticeBar;
@@ -206,10 +206,10 @@ class MainWindow : public QMainWindow {
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
   void onForces();
-  void tellWhenSettled();
+  void emitSettledIfIdle();
   [[nodiscard]] CommandState commandState();
-  void renewCommands();
-  void renewTitle();
+  void updateCommands();
+  void updateTitle();
   void showInsertSet();
   void showTab(ResultsView& view);
   void showElement(const ElementId& element);
@@ -217,7 +217,7 @@ class MainWindow : public QMainWindow {
   void chooseTypeScale(double scale);
   void addLanguages(QMenu& menu);
   void showView3DOnHalf();
-  void onStage(const StagePtr& stage);
+  void onStage(const MechanismScenePtr& stage);
   void onSelectionChanged();
   void popUpMenuFor(const ElementId& element, QPoint at);
   void showShortcuts();
@@ -266,12 +266,12 @@ class MainWindow : public QMainWindow {
   EditCommands* m_commands = nullptr;
   WindowExports* m_exports = nullptr;
   WindowHelp* m_help = nullptr;
-  LessonPanel* m_lesson = nullptr;           ///< made with the first lesson
-  CourseDialog* m_course = nullptr;          ///< created on first use
-  ExercisesDialog* m_exercises = nullptr;    ///< the same
-  PaperCheckDialog* m_paperCheck = nullptr;  ///< the same
-  FileWatch* m_lessonWatch = nullptr;        ///< of a preview
+  LessonPanel* m_lesson = nullptr;          ///< made with the first lesson
+  CourseDialog* m_course = nullptr;         ///< created on first use
+  ExercisesDialog* m_exercises = nullptr;   ///< the same
+  WorkCheckDialog* m_paperCheck = nullptr;  ///< the same
+  FileWatch* m_lessonWatch = nullptr;       ///< of a preview
   QString m_lessonFile;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

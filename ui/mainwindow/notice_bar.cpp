@@ -12,7 +12,7 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/laid_out_at_once.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 constexpr int kIcon = 16;
 }
@@ -104,10 +104,10 @@ void NoticeBar::renew() {
     button->show();
     m_buttons << button;
   }
-  renewIcon();
+  updateIcon();
 }
 
-void NoticeBar::renewIcon() {
+void NoticeBar::updateIcon() {
   if (m_notices.empty()) return;
   const Severity severity = m_notices.front().severity;
   m_icon->setPixmap(iconPixmap(severityIconName(severity), severityRole(severity), themeOf(palette()), kIcon,
@@ -116,9 +116,9 @@ void NoticeBar::renewIcon() {
 
 void NoticeBar::changeEvent(QEvent* event) {
   QToolBar::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) renewIcon();
+  if (event->type() == QEvent::PaletteChange) updateIcon();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_notice_bar.cpp"

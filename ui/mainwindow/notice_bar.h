@@ -9,7 +9,7 @@
 class QLabel;
 class QHBoxLayout;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// A notice that asks for a decision without interrupting the user.
 struct Notice {
@@ -49,7 +49,7 @@ class NoticeBar : public QToolBar {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void renewIcon();
+  void updateIcon();
   void fitText();
 
   std::vector<Notice> m_notices;
@@ -60,4 +60,4 @@ class NoticeBar : public QToolBar {
   QList<QWidget*> m_buttons;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

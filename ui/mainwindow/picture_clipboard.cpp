@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/presentation/picture/picture.h"
+#include "core/presentation/cairo_output/picture.h"
 #include "ui/view3d/overlay.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 QByteArray bytesOf(const Expected<std::string>& file) {
@@ -87,7 +87,7 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
                                                     const std::stop_token& stop) {
   Picture picture{content, {}, {}, {}, {}};
   if (content.seen) {
-    Expected<std::unique_ptr<StagePainter>> painter = StagePainter::create(content.seen->rendering, stop);
+    Expected<std::unique_ptr<ScenePainter>> painter = ScenePainter::create(content.seen->rendering, stop);
     if (!painter) {
       picture.why = QString::fromStdString(painter.error().front().message);
       return picture;
@@ -95,7 +95,7 @@ PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content
     if (*painter == nullptr) return picture;  // stopped
     Image image = (*painter)->paint(0);
     PictureOverlay overlay(content.seen->options, false);
-    const SeenMap seen = (*painter)->seenForLabels();
+    const VisibilityBuffer seen = (*painter)->seenForLabels();
     if (image.width > 0) {
       const SeenStage& shown = (*painter)->seen();
       const ShownForces forces{shown.view().forces,
@@ -136,6 +136,6 @@ void PictureClipboard::put(const Picture& picture) {
   m_isPutting = false;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_picture_clipboard.cpp"

@@ -9,12 +9,12 @@
 
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/display_list.h"
-#include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/mechanism_scene/scene_picture.h"
 #include "ui/service/service.h"
 #include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view_options.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Content for the clipboard: elements as JSON, a picture of them, or both.
 struct CopiedContent {
@@ -23,7 +23,7 @@ struct CopiedContent {
   std::function<DisplayList()> drawing;  ///< called on another thread; empty: none
   /// The 3D view as shown, with its labels.
   struct Seen {
-    StageRendering rendering;
+    SceneRendering rendering;
     ViewOptions options;
     QString forcesCaption;  ///< as forcesCaption()
     PaintOver over;         ///< what is painted over the view; empty: nothing
@@ -72,4 +72,4 @@ class PictureClipboard : public QObject {
   bool m_isPutting = false;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

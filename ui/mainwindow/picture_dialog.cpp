@@ -10,9 +10,9 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 
-#include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/mechanism_scene/scene_picture.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// By row of the choice; the last two are of the 3D view only.
@@ -158,6 +158,6 @@ PictureOptions PictureDialog::options() const {
   return options;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_picture_dialog.cpp"

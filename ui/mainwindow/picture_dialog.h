@@ -2,15 +2,15 @@
 
 #include <QDialog>
 
-#include "core/presentation/picture/picture.h"
-#include "core/presentation/stage/animation.h"
+#include "core/presentation/cairo_output/picture.h"
+#include "core/presentation/scene3d/animation.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QSpinBox;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The form of a 3D export: a PNG (animated for an animation), a folder of PNGs, or the solids.
 enum class SolidForm { png, pictures, glb };
@@ -56,4 +56,4 @@ class PictureDialog final : public QDialog {
   QCheckBox* m_fitted;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -3,25 +3,25 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "core/presentation/mechanism_scene/scene_picture.h"
 #include "core/presentation/meshfile/mesh_writer.h"
-#include "core/presentation/train_stage/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/picture_clipboard.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
-#include "ui/schematic/schematic_view.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/view3d.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// The view's picture or animation, with its labels, as a job for another thread.
-ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions& options,
+ExportJobs::Job renderingJob(const SceneRendering& rendering, const ViewOptions& options,
                              const QString& forcesCaption, const PaintOver& over, bool dark, SolidForm form,
                              const QString& path) {
   const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
@@ -30,8 +30,8 @@ ExportJobs::Job renderingJob(const StageRendering& rendering, const ViewOptions&
     how.stop = stop;
     const auto overlay = std::make_shared<PictureOverlay>(options, dark);
     const QString caption = options.marks.forces ? forcesCaption : QString();
-    how.finish = [overlay, caption, over, dark](Image& image, StagePainter& painter) {
-      const SeenMap seen = painter.seenForLabels();
+    how.finish = [overlay, caption, over, dark](Image& image, ScenePainter& painter) {
+      const VisibilityBuffer seen = painter.seenForLabels();
       const ShownForces forces{
           painter.seen().view().forces, painter.seen().forceArrows(), {}, caption, static_cast<bool>(over)};
       overlay->paint(image, painter.labelGround(seen), forces);
@@ -56,7 +56,7 @@ ExportJobs::Job drawingJob(const std::function<DisplayList()>& draw, const Drawi
   return {path, false, run};
 }
 
-ExportJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
+ExportJobs::Job solidsJob(const MechanismScenePtr& stage, const SceneView& view, const QString& path) {
   const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
     MeshWriteOptions how;
     how.stop = stop;
@@ -115,14 +115,14 @@ void WindowExports::exportPicture(const PictureOptions& options, const QString& 
 
 // What the view shows at this moment, whatever happens to it while the pictures are painted.
 void WindowExports::exportView3D(const PictureOptions& options, const QString& path) {
-  const StagePtr stage = m_views.view3d->stage();
+  const MechanismScenePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty()) {
     emit rejected(tr("The 3D view is empty: there is nothing to export."));
     return;
   }
   if (options.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
   const SheetStyle& style = options.picture.style;
-  StageRendering rendering;
+  SceneRendering rendering;
   rendering.stage = stage;
   rendering.view = m_views.view3d->view();
   rendering.view.style = pictureStyle(style.theme, style.transparent);
@@ -150,7 +150,7 @@ void WindowExports::copyPicture(const QString& view) {
 
 /// As the view shows it, at the size of a page.
 void WindowExports::copyView3D() {
-  const StagePtr stage = m_views.view3d->stage();
+  const MechanismScenePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty())
     return emit rejected(tr("The 3D view is empty: there is nothing to copy."));
   const ViewOptions options = m_views.view3d->options();
@@ -175,4 +175,4 @@ void WindowExports::onWritten(const QString& path) {
   emit written(path);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -8,11 +8,11 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr int kSteps = 60;    // from the middle to either end
@@ -66,13 +66,13 @@ PlayControls::PlayControls(Playback* playback, QWidget* parent)
     const double sign = playback->speed() < 0 ? -1 : 1;
     playback->setSpeed(sign * (std::abs(step) <= kMagnetic ? 1 : speedAt(step)));
   });
-  connect(playback, &Playback::playingChanged, this, &PlayControls::renewButton);
+  connect(playback, &Playback::playingChanged, this, &PlayControls::updateButton);
   connect(playback, &Playback::speedChanged, this, &PlayControls::showSpeed);
-  renewButton();
+  updateButton();
   showSpeed();
 }
 
-void PlayControls::renewButton() {
+void PlayControls::updateButton() {
   const bool playing = m_playback->isPlaying();
   m_play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play"), ColorRole::accent,
                        themeOf(palette())));
@@ -98,9 +98,9 @@ bool PlayControls::eventFilter(QObject* watched, QEvent* event) {
 
 void PlayControls::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && m_speed != nullptr && m_playback != nullptr) renewButton();
+  if (event->type() == QEvent::PaletteChange && m_speed != nullptr && m_playback != nullptr) updateButton();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_play_controls.cpp"

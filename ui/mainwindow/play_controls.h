@@ -9,7 +9,7 @@ class QLabel;
 class QSlider;
 class QToolButton;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Play or pause, and the playback speed: the middle of the slider is the inputs' own speed, the ends are
 /// eight times slower and faster. A double click on the slider resets it to 1.0×.
@@ -26,7 +26,7 @@ class PlayControls : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void renewButton();
+  void updateButton();
   void showSpeed();
 
   QPointer<Playback> m_playback;  ///< destroyed before the tool bar when a window is destroyed
@@ -38,4 +38,4 @@ class PlayControls : public QWidget {
 /// "1.0×", "0.25×": a speed for the tool bar.
 [[nodiscard]] QString printedSpeed(double speed);
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -2,22 +2,22 @@
 
 #include <QObject>
 
-#include "core/presentation/train_stage/train_power.h"
+#include "core/presentation/mechanism_scene/train_power.h"
 #include "ui/service/service.h"
 #include "ui/workbench/workbench.h"
 
 class QAction;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class PowerView;
 }
-namespace geargraph::inline view3d {
+namespace geargraph {
 class View3D;
 class OverlayLayer;
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Lays arrows along the path of the power over the 3D view, while the bands of the drawings are on, seen by
 /// the same link. They are found on a thread of their own, and follow loads, motion and solids.
@@ -32,7 +32,7 @@ class PowerArrows : public QObject {
 
   [[nodiscard]] bool isSettled() const { return m_service->isComplete(); }
   /// What is shown; null: nothing is.
-  [[nodiscard]] const StagePowerPtr& shown() const { return m_shown; }
+  [[nodiscard]] const ScenePowerPtr& shown() const { return m_shown; }
 
  signals:
   void changed();
@@ -40,14 +40,14 @@ class PowerArrows : public QObject {
  private:
   struct Request {
     ForcesPtr forces;
-    StagePtr stage;
+    MechanismScenePtr stage;
     LinkId observer;
   };
-  using Arrows = Service<Request, StagePowerPtr>;
+  using Arrows = Service<Request, ScenePowerPtr>;
 
   static void find(const Request& request, const Arrows::Responder& respond);
   void renew();
-  void show(StagePowerPtr power);
+  void show(ScenePowerPtr power);
 
   Workbench& m_workbench;
   View3D& m_view;
@@ -55,7 +55,7 @@ class PowerArrows : public QObject {
   const QAction& m_isOn;
   OverlayLayer* m_layer;
   Arrows* m_service;
-  StagePowerPtr m_shown;
+  ScenePowerPtr m_shown;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "core/presentation/power_drawing/torque_marks.h"
+#include "core/presentation/diagrams/torque_marks.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 PowerView::PowerView(Workbench& workbench, std::vector<DrawingView*> drawings, QObject* parent)
     : QObject(parent), m_workbench(workbench) {
@@ -34,7 +34,7 @@ void PowerView::setObserver(LinkId observer) {
   renew();
 }
 
-QString PowerView::whyNone() const {
+QString PowerView::unavailableReason() const {
   const ForcesPtr& forces = m_workbench.forces().answer();
   if (!forces) return tr("Power flows under loads: add one in Forces.");
   if (!forces->report || !forces->report->isSolved || !forces->report->lossless.isBalanced())
@@ -85,7 +85,7 @@ void PowerView::renew(const Drawing& drawing) {
   const bool hasLoads = forces && forces->report && !forces->report->loads.empty();
   const DrawingView::PowerDraw draw = hasLoads ? drawing.view->powerDraw() : nullptr;
   if (draw) {
-    drawing.bands->request({forces, m_isOn && whyNone().isEmpty(), m_observer, draw});
+    drawing.bands->request({forces, m_isOn && unavailableReason().isEmpty(), m_observer, draw});
     return;
   }
   if (!drawing.bands->isComplete()) drawing.bands->cancel();
@@ -113,6 +113,6 @@ void PowerView::fillObservers(QMenu& menu) {
   }
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_power_view.cpp"

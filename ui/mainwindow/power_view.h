@@ -5,14 +5,14 @@
 #include <memory>
 #include <vector>
 
-#include "core/presentation/power_drawing/power_picture.h"
+#include "core/presentation/diagrams/power_picture.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/service/service.h"
 #include "ui/workbench/workbench.h"
 
 class QMenu;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Shows the torques of loads and balances under the drawings and, if switched on, the power flow as bands,
 /// seen from the ground or another link. They are made on background threads, and follow loads, motion and
@@ -31,7 +31,7 @@ class PowerView : public QObject {
   /// Adds entries for the ground and all links.
   void fillObservers(QMenu& menu);
   /// Why there is no power to show, as a sentence; empty if there is some.
-  [[nodiscard]] QString whyNone() const;
+  [[nodiscard]] QString unavailableReason() const;
   [[nodiscard]] bool isSettled() const;
 
   /// The power flow as this observer sees it. Takes long for large trains; safe on any thread.
@@ -67,4 +67,4 @@ class PowerView : public QObject {
   bool m_isOn = false;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

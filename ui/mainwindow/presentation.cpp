@@ -15,7 +15,7 @@
 #include "ui/mainwindow/layout_pause.h"
 #include "ui/settings/settings.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr int kHintMilliseconds = 5000;
@@ -128,6 +128,6 @@ void Presentation::showHint() {
   QTimer::singleShot(kHintMilliseconds, m_hint, &QWidget::hide);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_presentation.cpp"

@@ -6,7 +6,7 @@
 class QLabel;
 class QMainWindow;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Presentation mode for lecture halls: full screen, large type, no bars, the drawing and the chosen panels.
 /// Its layout is remembered separately from the working layout; both are restored.
@@ -60,4 +60,4 @@ class Presentation : public QObject {
   bool m_on = false;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 const QString kKey = QStringLiteral("recentFiles");
 }
@@ -52,6 +52,6 @@ void RecentFiles::fill() {
   none->setEnabled(false);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_recent_files.cpp"

@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QStringList>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The recently opened or saved files, newest first, stored in the settings; and their menu.
 class RecentFiles : public QMenu {
@@ -25,4 +25,4 @@ class RecentFiles : public QMenu {
   void fill();
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -13,7 +13,7 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// What an export says while it runs: notes for the user, and the first error of the mechanism.
@@ -98,4 +98,4 @@ void WindowExports::exportAs(const Exporter& exporter, const OptionValues& optio
   m_jobs->add({path, isLong, run, true, [heard] { return heard->notes; }});
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

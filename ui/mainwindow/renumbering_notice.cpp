@@ -6,7 +6,7 @@
 
 #include "core/mechanism/model/renumbering.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 RenumberingNotice::RenumberingNotice(Document* document, Selection* selection, StatusLine* status,
                                      QObject* parent)
@@ -42,6 +42,6 @@ void RenumberingNotice::onChanged() {
   m_selection->hover(std::move(elements));
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_renumbering_notice.cpp"

@@ -4,10 +4,10 @@
 
 #include "core/mechanism/model/mechanism.h"
 #include "ui/document/document.h"
+#include "ui/document/selection.h"
 #include "ui/mainwindow/status_line.h"
-#include "ui/selection/selection.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Labels are the paper's numbers and follow the order of the elements, so that deleting one moves those of
 /// others: they are marked in all views until the mouse moves on, and the status bar names them.
@@ -28,4 +28,4 @@ class RenumberingNotice : public QObject {
   bool m_isShown = false;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -5,19 +5,19 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/presentation/pages/report_pdf.h"
-#include "core/presentation/results/handout_train.h"
-#include "core/presentation/results/report_lists.h"
-#include "core/presentation/results/scorm_package.h"
+#include "core/presentation/export_api/handout_train.h"
+#include "core/presentation/export_api/report_lists.h"
+#include "core/presentation/export_api/scorm_package.h"
+#include "core/presentation/page_layout/report_pdf.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/derivation/derivation_panel.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
-#include "ui/schematic/schematic_view.h"
+#include "ui/reading/derivation_panel.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 ReportForm formOf(const QString& path) {
@@ -44,7 +44,7 @@ bool isPackage(const QString& path) {
 }  // namespace
 
 QString WindowExports::whyNoDerivation() const {
-  return ui_derivation::whyNoDerivation(*m_workbench.document().mechanism());
+  return geargraph::whyNoDerivation(*m_workbench.document().mechanism());
 }
 
 void WindowExports::chooseAndExportDerivation() {
@@ -189,4 +189,4 @@ void WindowExports::exportSheets(const QString& folder, const SheetRequest& requ
   m_jobs->add({folder, true, run});
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include <QScreen>
 #include <QWidget>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr QMargins kUsualFrame(0, 32, 0, 0);  ///< while the window manager has not told the frame yet
@@ -67,6 +67,6 @@ bool ScreenFit::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_screen_fit.cpp"

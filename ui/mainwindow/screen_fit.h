@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QRect>
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The rectangle `wanted` of a window (without its frame), reduced and moved to fit into `room`.
 [[nodiscard]] QRect fittedInto(const QRect& room, const QRect& wanted);
@@ -21,4 +21,4 @@ class ScreenFit : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

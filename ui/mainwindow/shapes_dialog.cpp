@@ -13,7 +13,7 @@
 #include "core/mechanism/model/quantity.h"
 #include "core/mechanism/model/shapes.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr int kFile = 0, kPosition = 1, kOrientation = 4, kScale = 7, kColumns = 8;
@@ -152,6 +152,6 @@ void ShapesDialog::removeChosen() {
   apply(tr("Take off a 3D file"), changed);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_shapes_dialog.cpp"

@@ -8,7 +8,7 @@
 class QTableWidget;
 class QToolButton;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The 3D files attached to a link with position, orientation and scale. Every change is an undoable edit.
 /// Not modal.
@@ -36,4 +36,4 @@ class ShapesDialog final : public QDialog {
   QToolButton* m_remove;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "ui/search/search_entries.h"
+#include "ui/help/search_entries.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// In percent. All of it can be seen without scrolling on a screen of 1366 by 768; the last are sentences.
@@ -167,6 +167,6 @@ void ShortcutSheet::fillNext() {
   if (!m_waiting.empty()) m_turn.request();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_shortcut_sheet.cpp"

@@ -10,7 +10,7 @@
 class QMenuBar;
 class QTextBrowser;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// All keyboard shortcuts on one sheet: those of the menus, and the mouse and keyboard actions in the
 /// drawings and the 3D view. Its columns are filled in turns: all of them at once take up to 50 ms.
@@ -34,7 +34,7 @@ class ShortcutSheet : public QDialog {
   const QMenuBar* m_menus;
   std::array<QTextBrowser*, kColumns> m_columns{};
   std::deque<QString> m_waiting;  ///< of the last columns
-  TurnOf m_turn{this, [this] { fillNext(); }};
+  CoalescedTask m_turn{this, [this] { fillNext(); }};
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -19,7 +19,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr int kSideWidth = 320;
@@ -208,6 +208,6 @@ void StartPage::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && !isHidden()) fill();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_start_page.cpp"

@@ -6,7 +6,7 @@ class QLabel;
 class QListView;
 class QStandardItemModel;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class Thumbnails;
 
@@ -55,4 +55,4 @@ class StartPage : public QWidget {
   bool m_withRecent = true;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// "A, B, C"; empty where nothing is engaged.
@@ -61,7 +61,7 @@ StatusLine::StatusLine(Selection* selection, QWidget* parent)
   m_meshes = addChip("chip.c", tipOf(Term::gearMeshes));
   m_rank = addChip("chip.rank", tipOf(Term::rank));
   m_freedom = addChip("chip.dof", tipOf(Term::degreesOfFreedom), "strongCount");
-  renewMessage();
+  updateMessage();
 }
 
 void StatusLine::showCounts(bool isShown) {
@@ -82,24 +82,24 @@ QToolButton* StatusLine::addChip(const char* name, const QString& tip, const cha
 
 void StatusLine::setHint(const QString& hint) {
   m_hint = hint;
-  renewMessage();
+  updateMessage();
 }
 
 void StatusLine::showRejection(const QString& why) {
   m_rejection = why;
-  renewMessage();
+  updateMessage();
 }
 
 void StatusLine::clearRejection() {
   m_rejection.clear();
   m_note.clear();
-  renewMessage();
+  updateMessage();
 }
 
 void StatusLine::showNote(const QString& note) {
   m_rejection.clear();
   m_note = note;
-  renewMessage();
+  updateMessage();
 }
 
 QString StatusLine::text() const {
@@ -107,7 +107,7 @@ QString StatusLine::text() const {
   return m_note.isEmpty() ? m_hint : m_note;
 }
 
-void StatusLine::renewMessage() {
+void StatusLine::updateMessage() {
   const bool rejected = !m_rejection.isEmpty();
   const Theme theme = themeOf(palette());
   const std::tuple message(text(), rejected, theme);
@@ -157,7 +157,7 @@ void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {
 }
 
 /// Which joints turn together takes long to tell of a large train: only when it is read.
-void StatusLine::renewFreedomTip() {
+void StatusLine::updateFreedomTip() {
   const QString freedom = m_snapshot ? freedomText(*m_snapshot).toHtmlEscaped() : QString();
   const QString lines = QString(freedom).replace(QLatin1Char('\n'), QStringLiteral("<br>"));
   m_freedom->setToolTip(tipOf(Term::degreesOfFreedom) +
@@ -189,15 +189,15 @@ std::set<ElementId> StatusLine::counted(const QObject* chip) const {
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Enter) m_selection->hover(counted(watched));
   if (event->type() == QEvent::Leave) m_selection->unhover();
-  if (event->type() == QEvent::ToolTip && watched == m_freedom) renewFreedomTip();
+  if (event->type() == QEvent::ToolTip && watched == m_freedom) updateFreedomTip();
   return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && m_message != nullptr) renewMessage();
+  if (event->type() == QEvent::PaletteChange && m_message != nullptr) updateMessage();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_status_line.cpp"

@@ -6,12 +6,12 @@
 #include <tuple>
 
 #include "core/theory/analysis/analysis.h"
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 #include "ui/theme/application_theme.h"
 
 class QToolButton;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// A line of text that ends in an ellipsis where its place is too narrow; it is whole in its tool tip then.
 class StatusMessage : public QLabel {
@@ -50,9 +50,9 @@ class StatusLine : public QStatusBar {
 
  private:
   QToolButton* addChip(const char* name, const QString& tip, const char* look = "count");
-  void renewMessage();
+  void updateMessage();
   void announce(bool isUrgent);
-  void renewFreedomTip();
+  void updateFreedomTip();
   [[nodiscard]] std::set<ElementId> counted(const QObject* chip) const;
 
   Selection* m_selection;
@@ -70,4 +70,4 @@ class StatusLine : public QStatusBar {
   QToolButton* m_freedom;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "ui/canvas/thumbnail.h"
 #include "ui/mainwindow/document_files.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 constexpr int kFineness = 2;
 }
@@ -53,6 +53,6 @@ void Thumbnails::draw(const QString& path, Theme theme) {
   });
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_thumbnails.cpp"

@@ -7,7 +7,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// Thumbnails of documents for lists. Those of examples are drawn on demand, those of files when the file is
 /// opened or saved, and stored in the cache folder, so that showing a list reads no documents. Drawn by the
@@ -34,4 +34,4 @@ class Thumbnails : public QObject {
   void drawn(const QString& path, geargraph::Theme theme, const QImage& picture);
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "ui/help/help_page_of.h"
+#include "ui/help/search_entries.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/layout_pause.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/window_actions.h"
-#include "ui/search/search_entries.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 ViewDocks::ViewDocks(QMainWindow* window, std::function<void()> leave)
     : QObject(window), m_window(window), m_leave(std::move(leave)), m_titles(new DockTitles(window)) {}
@@ -166,6 +166,6 @@ void ViewDocks::showOnly(const std::vector<const ResultsView*>& views) {
     each.dock->setVisible(std::find(views.begin(), views.end(), each.view) != views.end());
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_view_docks.cpp"

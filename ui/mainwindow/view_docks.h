@@ -6,11 +6,11 @@
 #include <functional>
 #include <vector>
 
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
 class QAction;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class DockTitles;
 
@@ -74,4 +74,4 @@ class ViewDocks final : public QObject {
   QByteArray m_away;  ///< the layout before putAway(); empty: nothing is put away
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -1,25 +1,25 @@
 #include "ui/mainwindow/view_table.h"
 
-#include "ui/atlas/atlas_panel.h"
+#include "ui/atlas_panel/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/canvas/tt_graph_view.h"
-#include "ui/derivation/derivation_panel.h"
 #include "ui/designer/designer_panel.h"
 #include "ui/designer/hub_panel.h"
-#include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
-#include "ui/inputs/inputs_and_results.h"
-#include "ui/levers/levers_view.h"
+#include "ui/forces/inputs_and_results.h"
+#include "ui/lever_views/levers_view.h"
+#include "ui/motion_panel/dynamics_panel.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
-#include "ui/schematic/schematic_view.h"
-#include "ui/teeth/teeth_panel.h"
+#include "ui/reading/derivation_panel.h"
+#include "ui/teeth_panel/teeth_panel.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 std::vector<ViewEntry> viewTable() {
   return {
@@ -29,4 +29,4 @@ std::vector<ViewEntry> viewTable() {
   };
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

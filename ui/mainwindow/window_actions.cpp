@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "ui/search/search_entries.h"
+#include "ui/help/search_entries.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// Where the tip of an enabled action is kept while it is disabled.
@@ -150,4 +150,4 @@ void WindowActions::setTheme(Theme theme, bool isAsSystem, double typeScale) {
   }
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -13,7 +13,7 @@
 
 class QMainWindow;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// The actions of the commands of a window, for menus and the tool bar, made from commandTable(). An
 /// unavailable one is disabled, with the reason as its tool tip.
@@ -49,4 +49,4 @@ struct WindowActions {
   std::optional<Theme> m_iconTheme;  ///< that the icons have the colours of; none: not yet
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

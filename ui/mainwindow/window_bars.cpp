@@ -6,15 +6,15 @@
 
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/help/search_field.h"
 #include "ui/mainwindow/fitting_tool_bar.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/play_controls.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_help.h"
-#include "ui/search/search_field.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr double kFaster = 1.4142135623730951;  // two steps double the speed
@@ -86,4 +86,4 @@ void MainWindow::showElement(const ElementId& element) {
   if (!box.isNull()) drawing().ensureVisible(drawing().mapToScene(box).boundingRect());
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

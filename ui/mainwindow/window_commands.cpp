@@ -13,12 +13,11 @@
 
 #include "core/mechanism/model/edits.h"
 #include "core/presentation/report/report.h"
-#include "ui/atlas/atlas_panel.h"
+#include "ui/atlas_panel/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
-#include "ui/derivation/derivation_panel.h"
 #include "ui/designer/designer_panel.h"
 #include "ui/designer/hub_panel.h"
-#include "ui/languages/languages.h"
+#include "ui/help/search_field.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
@@ -41,14 +40,15 @@
 #include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
-#include "ui/printing/print_dialog.h"
-#include "ui/search/search_field.h"
+#include "ui/reading/derivation_panel.h"
+#include "ui/reading/print_dialog.h"
+#include "ui/settings/languages.h"
 #include "ui/settings/settings.h"
-#include "ui/teeth/teeth_panel.h"
+#include "ui/teeth_panel/teeth_panel.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 /// Only English begins such a name with a small letter: "Undo add link", "Rückgängig: Glied hinzufügen".
@@ -146,7 +146,7 @@ void MainWindow::wireActions() {
   connect(a[showDerivation], &QAction::triggered, this, &MainWindow::showDerivation);
   connect(a[compareMethods], &QAction::triggered, this, [this] {
     this->showDerivation();
-    derivation().showSection(shownText(base::translated(kComparisonHeading)));
+    derivation().showSection(shownText(translated(kComparisonHeading)));
   });
   connect(a[lessons], &QAction::triggered, this, &MainWindow::showCourse);
   connect(a[lessonFile], &QAction::triggered, this, &MainWindow::chooseLessonFile);
@@ -154,7 +154,7 @@ void MainWindow::wireActions() {
   connect(a[checkPaper], &QAction::triggered, this, &MainWindow::showPaperCheck);
   connect(a[undo], &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a[redo], &QAction::triggered, &stack, &QUndoStack::redo);
-  connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewCommands);
+  connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateCommands);
   connect(a[cut], &QAction::triggered, m_commands, &EditCommands::cut);
   connect(a[copy], &QAction::triggered, m_commands, &EditCommands::copy);
   connect(a[paste], &QAction::triggered, m_commands, &EditCommands::paste);
@@ -214,7 +214,7 @@ void MainWindow::wireActions() {
   });
   a[powerFlow]->setChecked(savedSetting(QStringLiteral("powerFlow"), false).toBool());
   const auto* arrows = new PowerArrows(*m_workbench, view3d(), *m_power, *a[powerFlow], m_power);
-  connect(arrows, &PowerArrows::changed, this, &MainWindow::tellWhenSettled);
+  connect(arrows, &PowerArrows::changed, this, &MainWindow::emitSettledIfIdle);
   connect(a[presentation], &QAction::triggered, m_presentation, &Presentation::setOn);
   connect(a[attachGear], &QAction::triggered, this, [this] { drawing().attachGear(); });
   connect(a[shortcuts], &QAction::triggered, this, &MainWindow::showShortcuts);
@@ -231,8 +231,8 @@ void MainWindow::wireFiles() {
   using enum CommandId;
   const WindowActions& a = *m_actions;
   WindowFiles* files = m_files.get();
-  connect(files, &WindowFiles::titleChanged, this, &MainWindow::renewTitle);
-  connect(files, &WindowFiles::joined, this, &MainWindow::renewCommands);
+  connect(files, &WindowFiles::titleChanged, this, &MainWindow::updateTitle);
+  connect(files, &WindowFiles::joined, this, &MainWindow::updateCommands);
   connect(files, &WindowFiles::rejected, m_status, &StatusLine::showRejection);
   connect(files, &WindowFiles::noted, m_status, &StatusLine::showNote);
   connect(files, &WindowFiles::read, &problems(), &ProblemsPanel::clearFileProblems);
@@ -302,11 +302,11 @@ CommandState MainWindow::commandState() {
   now.whyNoLoad = drawing().whyNoLoad();
   now.whyNoGear = now.isOneLink() ? drawing().whyNoGear() : QString();
   now.whyNoDerivation = m_exports->whyNoDerivation();
-  now.whyNoPowerFlow = m_power->whyNone();
+  now.whyNoPowerFlow = m_power->unavailableReason();
   return now;
 }
 
-void MainWindow::renewCommands() {
+void MainWindow::updateCommands() {
   const WindowActions& a = *m_actions;
   const QUndoStack& stack = m_document->undoStack();
   a[CommandId::undo]->setText(stack.canUndo() ? tr("&Undo %1").arg(inSentence(stack.undoText()))
@@ -429,4 +429,4 @@ void MainWindow::showAbout() {
   showAboutDialog(this);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ui/canvas/drawing_view.h"
-#include "ui/inputs/inputs_and_results.h"
+#include "ui/forces/inputs_and_results.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/view_docks.h"
@@ -16,7 +16,7 @@
 #include "ui/settings/settings.h"
 #include "ui/theme/in_sight.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr int kTitleBar = 40;  // px: at most that of a window manager
@@ -114,4 +114,4 @@ void MainWindow::raiseProblems(const AnalysisSnapshot& snapshot) {
   m_isOpened = !snapshot.isComplete;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -11,11 +11,11 @@
 #include "ui/mainwindow/csv_dialog.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/models/term_tips.h"
-#include "ui/printing/print_dialog.h"
+#include "ui/reading/print_dialog.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 QString withSuffix(QString path, const QString& suffix) {
@@ -154,6 +154,6 @@ bool WindowExports::saveSpeeds(const QString& path) {
   return number > 0;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_window_exports.cpp"

@@ -9,36 +9,36 @@
 
 #include "core/foundations/files/csv.h"
 #include "core/mechanism/graph/integer_matrix.h"
+#include "core/presentation/exercise_sheets/sheet_files.h"
 #include "core/presentation/report/report.h"
-#include "core/presentation/sheet_files/sheet_files.h"
 #include "core/teaching/derivation/quantity_table.h"
 
 class QPrinter;
 class QWidget;
 
-namespace geargraph::inline canvas {
+namespace geargraph {
 class DrawingView;
-}  // namespace geargraph::inline canvas
-namespace geargraph::inline exporters {
+}  // namespace geargraph
+namespace geargraph {
 struct Exporter;
 struct OptionValues;
-}  // namespace geargraph::inline exporters
-namespace geargraph::inline printing {
+}  // namespace geargraph
+namespace geargraph {
 class PrintedPages;
 using PrintedPagesPtr = std::shared_ptr<const PrintedPages>;
-}  // namespace geargraph::inline printing
-namespace geargraph::inline ui_schematic {
+}  // namespace geargraph
+namespace geargraph {
 class SchematicView;
-}  // namespace geargraph::inline ui_schematic
-namespace geargraph::inline view3d {
+}  // namespace geargraph
+namespace geargraph {
 class MotionPanel;
 class View3D;
-}  // namespace geargraph::inline view3d
-namespace geargraph::inline workbench {
+}  // namespace geargraph
+namespace geargraph {
 class Workbench;
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 struct PictureOptions;
 class ExportJobs;
@@ -135,4 +135,4 @@ class WindowExports : public QObject {
   QWidget* m_window;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -18,7 +18,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 QString timeText(const QDateTime& time) {
@@ -304,6 +304,6 @@ void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
   if (m_autosave) m_autosave->adopt(std::move(offered->side), offered->document.note);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_window_files.cpp"

@@ -17,14 +17,14 @@
 class QMimeData;
 class QWidget;
 
-namespace geargraph::inline selection {
+namespace geargraph {
 class Selection;
-}  // namespace geargraph::inline selection
-namespace geargraph::inline workbench {
+}  // namespace geargraph
+namespace geargraph {
 class Workbench;
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 struct CommandState;
 class NoticeBar;
@@ -181,4 +181,4 @@ class WindowFiles : public QObject {
   std::unique_ptr<Autosave> m_autosave;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

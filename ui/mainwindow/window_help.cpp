@@ -11,13 +11,13 @@
 
 #include "ui/help/help_page_of.h"
 #include "ui/help/help_window.h"
+#include "ui/help/search_entries.h"
+#include "ui/help/search_field.h"
 #include "ui/help/tour.h"
 #include "ui/help/whats_this.h"
-#include "ui/search/search_entries.h"
-#include "ui/search/search_field.h"
 #include "ui/settings/settings.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr const char* kTourOffered = "tourOffered";
@@ -168,7 +168,7 @@ std::vector<TourStep> WindowHelp::tourSteps() {
 
 void WindowHelp::startTour() {
   if (m_tour != nullptr) return;
-  if (const QString why = m_stage.whyNone(); !why.isEmpty()) return emit rejected(why);
+  if (const QString why = m_stage.unavailableReason(); !why.isEmpty()) return emit rejected(why);
   m_tour = new Tour(tourSteps(), m_window);
   connect(m_tour, &Tour::ended, this, [this] { m_stage.end(); });
 }
@@ -179,6 +179,6 @@ void WindowHelp::offerTour() {
   startTour();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_window_help.cpp"

@@ -7,19 +7,19 @@
 
 #include "ui/help/tour.h"
 
-namespace geargraph::inline ui_help {
+namespace geargraph {
 class HelpWindow;
-}  // namespace geargraph::inline ui_help
+}  // namespace geargraph
 
 class QDockWidget;
 class QMainWindow;
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 /// What a tour needs from the window.
 struct TourStage {
-  std::function<QString()> whyNone;  ///< why no tour is possible now; empty: one is
-  std::function<void()> begin;       ///< shows a mechanism and its drawing
+  std::function<QString()> unavailableReason;  ///< why no tour is possible now; empty: one is
+  std::function<void()> begin;                 ///< shows a mechanism and its drawing
   std::function<void(const QString& drawing)> showDrawing;
   std::function<void()> end;
   /// The panel of a view by its id.
@@ -40,7 +40,7 @@ class WindowHelp : public QObject {
   /// Runs a command by its menu path, "File > Print". If it is disabled, rejected() gives the reason.
   void runCommand(const QString& menuPath);
 
-  /// Starts the tour; rejected() if TourStage::whyNone() gives a reason.
+  /// Starts the tour; rejected() if TourStage::unavailableReason() gives a reason.
   void startTour();
   /// startTour() at this user's first start of the program only.
   void offerTour();
@@ -70,4 +70,4 @@ class WindowHelp : public QObject {
   QPointer<Tour> m_tour;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -5,15 +5,15 @@
 
 #include "core/teaching/lessons/course.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/languages/languages.h"
-#include "ui/lessons/lesson_panel.h"
+#include "ui/learning/lesson_panel.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/settings/languages.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 void MainWindow::addLanguages(QMenu& menu) {
   auto* group = new QActionGroup(&menu);
@@ -61,4 +61,4 @@ std::unique_ptr<MainWindow> MainWindow::inPlaceOf(MainWindow& former) {
   return window;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

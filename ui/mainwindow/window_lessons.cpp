@@ -11,10 +11,11 @@
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_reader.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/exercises/exercises_dialog.h"
-#include "ui/lessons/course_dialog.h"
-#include "ui/lessons/lesson_panel.h"
-#include "ui/levers/levers_view.h"
+#include "ui/learning/course_dialog.h"
+#include "ui/learning/exercises_dialog.h"
+#include "ui/learning/lesson_panel.h"
+#include "ui/learning/work_check_dialog.h"
+#include "ui/lever_views/levers_view.h"
 #include "ui/mainwindow/file_watch.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
@@ -23,10 +24,9 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
-#include "ui/paper_check/paper_check_dialog.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kLargestLesson = std::size_t{4} * 1024 * 1024;
@@ -95,7 +95,7 @@ void MainWindow::showExercises() {
 
 void MainWindow::showPaperCheck() {
   if (m_paperCheck == nullptr) {
-    m_paperCheck = new PaperCheckDialog(m_selection, this);
+    m_paperCheck = new WorkCheckDialog(m_selection, this);
     const auto renew = [this] {
       if (m_paperCheck->isVisible()) m_paperCheck->setMechanism(m_document->mechanism());
     };
@@ -133,7 +133,7 @@ void MainWindow::playLesson(const std::shared_ptr<const Lesson>& lesson, const Q
   m_lessonWatch->watch(file);
   m_lessonFile = file;
   m_lesson->play(lesson, place);
-  renewTitle();
+  updateTitle();
 }
 
 void MainWindow::makeLesson() {
@@ -211,7 +211,7 @@ void MainWindow::setAnswersOpen(bool isOpen) {
   m_views->setAnswersOpen(isOpen);
   m_status->showCounts(isOpen);
   m_areAnswersOpen = isOpen;
-  renewCommands();
+  updateCommands();
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

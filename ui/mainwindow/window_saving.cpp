@@ -15,7 +15,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 const QString kForeignKey = QStringLiteral("file");
@@ -183,4 +183,4 @@ void WindowFiles::onRemoved() {
                     {tr("Later"), tr("The document stays open"), {}}}});
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

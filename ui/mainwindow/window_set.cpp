@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "core/foundations/files/file_identity.h"
-#include "ui/languages/languages.h"
 #include "ui/mainwindow/crash_offer.h"
 #include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/document_files.h"
@@ -18,9 +17,10 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/settings/languages.h"
 #include "ui/settings/settings.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 const QString kSession = QStringLiteral("session/windows");
@@ -314,6 +314,6 @@ void WindowSet::setRestoresSession(bool restores) {
   saveSetting(kRestores, restores);
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph
 
 #include "moc_window_set.cpp"

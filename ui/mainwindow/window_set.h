@@ -13,11 +13,11 @@
 
 class QTimer;
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 struct Lesson;
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 class MainWindow;
 
@@ -81,4 +81,4 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   std::deque<std::unique_ptr<MainWindow>> m_leaving;
 };
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/window_files.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 namespace {
 
 const QString kReadOnlyKey = QStringLiteral("read-only");
@@ -120,4 +120,4 @@ void WindowFiles::offerInterrupted(const QString& path) {
   }
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -21,7 +21,7 @@
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph::inline mainwindow {
+namespace geargraph {
 
 namespace {
 
@@ -98,7 +98,7 @@ void MainWindow::startView3DAnew() {
   const auto& camera = m_document->mechanism()->view.camera;
   view3d().startAnew(camera ? std::optional(cameraOf(*camera)) : std::nullopt);
   // The same mechanism, otherwise drawn: no other stage will come.
-  if (m_document->mechanicsRevision() != m_document->revision()) view3d().setStage(view3d().stage());
+  if (m_document->mechanicsRevision() != m_document->revision()) view3d().setScene(view3d().stage());
 }
 
 Mechanism MainWindow::documentToSave() const {
@@ -115,4 +115,4 @@ Mechanism MainWindow::documentToSave() const {
   return saved;
 }
 
-}  // namespace geargraph::inline mainwindow
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -60,4 +60,4 @@ std::vector<NamedAxisChoice> axisChoices(const Mechanism& mechanism, const std::
   return choices;
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -6,9 +6,9 @@
 #include <set>
 #include <vector>
 
-#include "core/mechanism/fitting/axis_choice.h"
+#include "core/mechanism/geometry_edits/axis_choice.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// A direction or place for an axis, with its menu text.
 struct NamedAxisChoice {
@@ -42,4 +42,4 @@ void fillAxisMenu(Menu& menu, const std::vector<NamedAxisChoice>& choices,
   }
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 /// The numbers in it with Unicode minus signs, which command line and files write as hyphens.
@@ -80,6 +80,6 @@ QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph
 
 #include "moc_diagnostic_model.cpp"

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/diagnostic.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The diagnostics of an analysis or of a file as a list, errors first.
 class DiagnosticModel : public QAbstractListModel {
@@ -33,4 +33,4 @@ class DiagnosticModel : public QAbstractListModel {
   Diagnostics m_diagnostics;
 };
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -5,22 +5,22 @@
 
 #include "core/theory/matroid/input_roles.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
   return QCoreApplication::translate("freedom", text);
 }
 
-constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxFreedomNames = 12;
 constexpr std::size_t kMaxLines = 8;
 
 QString namesOf(const Digraph& graph, const std::vector<int>& joints) {
   QStringList names;
-  for (std::size_t i = 0; i < joints.size() && i < kMaxNames; ++i)
+  for (std::size_t i = 0; i < joints.size() && i < kMaxFreedomNames; ++i)
     names << QString::number(graph.edgeLabel(joints[i]));
   QString text = names.join(QStringLiteral(", "));
-  if (joints.size() > kMaxNames) text += tr(" and %1 more").arg(joints.size() - kMaxNames);
+  if (joints.size() > kMaxFreedomNames) text += tr(" and %1 more").arg(joints.size() - kMaxFreedomNames);
   return text;
 }
 
@@ -51,4 +51,4 @@ QString freedomText(const AnalysisSnapshot& snapshot) {
   return lines.join(QStringLiteral("\n"));
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 std::optional<PreviewSnapshot> previewOf(const Mechanism& mechanism, const JointPreview& preview) {
   if (!preview.valid || preview.head.empty()) return std::nullopt;
@@ -26,4 +26,4 @@ std::optional<PreviewSnapshot> previewOf(const Mechanism& mechanism, const Joint
   return PreviewSnapshot{std::move(snapshot), drawnJoint};
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "ui/tools/tool.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The matrices as they would be if the arrow being drawn were released now.
 struct PreviewSnapshot {
@@ -19,4 +19,4 @@ struct PreviewSnapshot {
 [[nodiscard]] std::optional<PreviewSnapshot> previewOf(const Mechanism& mechanism,
                                                        const JointPreview& preview);
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

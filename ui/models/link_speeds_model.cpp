@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 constexpr double kRounding = 1e-13;  ///< of a difference of speeds, relative to them
 }
@@ -58,11 +58,11 @@ std::vector<SpeedAbout> LinkSpeedsModel::speedOf(int link) const {
   if (observer == 0) return sum;
   for (const SpeedAbout& less : absoluteSpeed(placement, *exactRates(), observer)) {
     const auto same = std::find_if(sum.begin(), sum.end(), [&](const SpeedAbout& about) {
-      return directionSign(placement, about.axisClass, less.axisClass) != 0;
+      return directionSign(placement, about.axisGroup, less.axisGroup) != 0;
     });
     if (same == sum.end()) {
-      sum.push_back({less.axisClass, -less.speed});
-    } else if (directionSign(placement, same->axisClass, less.axisClass) > 0) {
+      sum.push_back({less.axisGroup, -less.speed});
+    } else if (directionSign(placement, same->axisGroup, less.axisGroup) > 0) {
       same->speed = same->speed - less.speed;
     } else {
       same->speed = same->speed + less.speed;
@@ -110,7 +110,7 @@ QString LinkSpeedsModel::aboutText(int link) const {
   const auto reference = referenceSpeed();
   QStringList parts;
   for (const SpeedAbout& about : speedOf(link)) {
-    const int axis = placement.classes->classes[static_cast<std::size_t>(about.axisClass)].axis;
+    const int axis = placement.classes->classes[static_cast<std::size_t>(about.axisGroup)].axis;
     parts << tr("%1 about %2")
                  .arg(speedText(about.speed, m_unit, reference),
                       QString::fromStdString(
@@ -163,6 +163,6 @@ QVariant LinkSpeedsModel::headerData(int section, Qt::Orientation orientation, i
   return names[section];
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph
 
 #include "moc_link_speeds_model.cpp"

@@ -7,7 +7,7 @@
 #include "ui/models/link_text.h"
 #include "ui/models/speed_unit.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The angular velocities of the links relative to the ground or to another link, in the reference pose: the
 /// exact speeds about their axes, and the vector in the base frame.
@@ -52,4 +52,4 @@ class LinkSpeedsModel : public QAbstractTableModel {
   std::optional<LinkId> m_observer;
 };
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 constexpr qsizetype kMaxLetters = 24;
@@ -41,4 +41,4 @@ const std::string& LinkNames::nameOf(int node) const {
   return isNewest ? m_newest->links[at].name : known[at].name;
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

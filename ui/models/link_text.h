@@ -5,7 +5,7 @@
 
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The text for a link in a row of a panel: "link 4 (sun)"; "link 4" without a name, or with one that repeats
 /// the label. Long names are shortened at their end.
@@ -28,4 +28,4 @@ class LinkNames {
   MechanismPtr m_newest;
 };
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

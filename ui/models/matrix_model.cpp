@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "core/foundations/base/locale.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/spoken.h"
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 QString shownText(const std::string& text) {
@@ -220,7 +220,7 @@ QVariant MatrixModel::quantityData(int row, int column, int role) const {
       if (zero) return QStringLiteral("0");
       if (formula) return shownText(entry->text);
       if (isLongFraction(entry->text)) return printedNumber(entry->value);
-      return withPrintedMinus(shownText(spokenNumber(entry->text)));
+      return withPrintedMinus(shownText(localizedNumber(entry->text)));
     case Qt::TextAlignmentRole:
       return int(Qt::AlignCenter);
     case Qt::AccessibleTextRole:
@@ -264,6 +264,6 @@ bool MatrixModel::hasChanged(int row, int column) const {
   return m_before->entry(rowBefore->second, columnBefore->second) != now;
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph
 
 #include "moc_matrix_model.cpp"

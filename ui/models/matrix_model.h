@@ -11,7 +11,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "ui/models/joint_preview.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// One matrix of the newest snapshot as a table: an integer matrix, or a quantity (screws, P, solution) in
 /// decimals, fractions or symbols. Entries are computed on demand, so a matrix of 10,000 rows costs only the
@@ -98,4 +98,4 @@ class MatrixModel : public QAbstractTableModel {
   QTimer m_glow;
 };
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

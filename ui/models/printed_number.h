@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// A number with a Unicode minus sign; a long fraction is given to about six digits.
 [[nodiscard]] QString printedFraction(const Rational& value);
@@ -13,4 +13,4 @@ namespace geargraph::inline models {
 /// The same text with Unicode minus signs.
 [[nodiscard]] QString withPrintedMinus(QString text);
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 /// Do both have the same inputs and outputs, under the same labels?
@@ -234,6 +234,6 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
   return QString::number(m_snapshot->graph->edgeLabel(solution()->inputs[static_cast<std::size_t>(input)]));
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph
 
 #include "moc_results_model.cpp"

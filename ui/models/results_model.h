@@ -6,7 +6,7 @@
 #include "ui/models/link_text.h"
 #include "ui/models/speed_unit.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The solution of the newest snapshot as a table [AU, Eqs. (23), (25)]: a row for each joint that is not an
 /// input; its name, its rate for one unit of each input, and its rate now.
@@ -82,4 +82,4 @@ class ResultsModel : public QAbstractTableModel {
   bool m_symbolic = true;
 };
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

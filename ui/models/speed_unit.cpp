@@ -4,7 +4,7 @@
 
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 QString speedText(const Rational& speed, const SpeedUnit& unit, const std::optional<Rational>& reference) {
   switch (unit.kind) {
@@ -28,4 +28,4 @@ QString speedText(double speed, const SpeedUnit& unit, std::optional<double> ref
   }
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

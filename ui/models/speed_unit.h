@@ -6,7 +6,7 @@
 #include "core/foundations/base/id.h"
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The unit of displayed speeds: rad/s, revolutions per minute, or the ratio to the speed of a chosen joint
 /// (relative speeds) or of its head link (absolute speeds).
@@ -23,4 +23,4 @@ struct SpeedUnit {
 /// The same for a speed that is not known exactly.
 [[nodiscard]] QString speedText(double speed, const SpeedUnit& unit, std::optional<double> reference);
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/model/shift_edits.h"
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 namespace {
 
 QString shown(const std::string& text) {
@@ -36,7 +36,7 @@ void StatesModel::setMechanism(const MechanismPtr& mechanism) {
     const bool engages = m_mechanism->engaged != mechanism->engaged;
     const bool sameStates = m_mechanism->states == mechanism->states;
     m_mechanism = mechanism;
-    renewRows();
+    updateRows();
     if (engages && couplingCount() > 0) emit headerDataChanged(Qt::Horizontal, 1, couplingCount());
     // No reset: a name that is typed in the table changes a state, and its editor is still there.
     if (!sameStates) {
@@ -55,17 +55,17 @@ void StatesModel::setSnapshot(const SnapshotPtr& snapshot) {
   const bool isFirstStep = snapshot && !snapshot->isComplete && !snapshot->states;
   if (isFirstStep && m_snapshot && m_snapshot->states) return;
   m_snapshot = snapshot;
-  renewRows();
+  updateRows();
 }
 
 void StatesModel::setTorques(const std::shared_ptr<const ForceTable>& torques,
                              const MechanismPtr& mechanism) {
   m_torques = torques;
   m_torquesOf = mechanism;
-  renewRows();
+  updateRows();
 }
 
-void StatesModel::renewRows() {
+void StatesModel::updateRows() {
   const std::vector<Row> before = std::exchange(m_rows, rowsNow());
   if (m_rows == before) return;
   for (int row = 0; row < rowCount(); ++row) tellChange(row, before[static_cast<std::size_t>(row)]);
@@ -251,7 +251,7 @@ QVariant StatesModel::data(const QModelIndex& index, int role) const {
       const int coupling = couplingAt(index.column());
       if (coupling < 0) return false;
       const auto& engaged = m_mechanism->states[static_cast<std::size_t>(row)].engaged;
-      const CouplingId id = m_mechanism->couplings[static_cast<std::size_t>(coupling)].id;
+      const ShiftElementId id = m_mechanism->couplings[static_cast<std::size_t>(coupling)].id;
       return std::find(engaged.begin(), engaged.end(), id) != engaged.end();
     }
     case RunningRole:
@@ -274,13 +274,13 @@ QVariant StatesModel::data(const QModelIndex& index, int role) const {
 QString StatesModel::torqueTip(int row, int position) const {
   const ForceCell* cell = torqueCell(row, position);
   if (cell == nullptr || cell->text.empty()) return {};
-  const Coupling& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
+  const ShiftElement& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
   const QString id = shown(coupling.id.text());
   const QString on = linkText(coupling.links.front());
   if (!cell->number)
     return tr("Several couplings share the load in proportions that stiffness and clearance decide.");
   const QString torque = shown(cell->exact.empty() ? cell->text : cell->exact);
-  return coupling.kind == CouplingKind::brake
+  return coupling.kind == ShiftElementKind::brake
              ? tr("Brake %1 bears %2 N m, its torque on link %3").arg(id, torque, on)
              : tr("Clutch %1 bears %2 N m, its torque on link %3 from link %4")
                    .arg(id, torque, on, linkText(coupling.links.back()));
@@ -315,8 +315,8 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
   if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
   const int position = couplingAt(section);
   if (position >= 0) {
-    const Coupling& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
-    const bool isBrake = coupling.kind == CouplingKind::brake;
+    const ShiftElement& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
+    const bool isBrake = coupling.kind == ShiftElementKind::brake;
     if (role == Qt::DisplayRole) return shown(coupling.id.text());
     if (role == EngagedRole) return isEngagedNow(position);
     if (role == HoldsRole) {
@@ -347,6 +347,6 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
   return section == 0 ? tr("state") : names[section - couplingCount() - 1];
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph
 
 #include "moc_states_model.cpp"

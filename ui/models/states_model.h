@@ -6,7 +6,7 @@
 #include "core/teaching/force_tables/force_table.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The shift table, one row per state of the document: its name, one column per coupling, the input and
 /// output link, the exact and decimal ratio, the step from the previous state; once the torques are solved
@@ -81,7 +81,7 @@ class StatesModel : public QAbstractTableModel {
 
   [[nodiscard]] std::vector<Row> rowsNow() const;
   void tellChange(int row, const Row& before);
-  void renewRows();
+  void updateRows();
   [[nodiscard]] QString accessibleText(const QModelIndex& index) const;
   [[nodiscard]] QString textOf(int row, int column) const;
   [[nodiscard]] QString ratioText(int row) const;
@@ -99,4 +99,4 @@ class StatesModel : public QAbstractTableModel {
   std::vector<Row> m_rows;
 };
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -2,9 +2,9 @@
 
 #include <QCoreApplication>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 QString shownText(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -22,4 +22,4 @@ QString tipOf(Term term) {
   return tip + QStringLiteral("</p>");
 }
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

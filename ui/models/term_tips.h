@@ -4,7 +4,7 @@
 
 #include "core/teaching/derivation/glossary.h"
 
-namespace geargraph::inline models {
+namespace geargraph {
 
 /// The definition of a term as a tooltip: its name in bold, the text, the paper's equation.
 [[nodiscard]] QString tipOf(Term term);
@@ -12,4 +12,4 @@ namespace geargraph::inline models {
 /// A text from core in the form that widgets show.
 [[nodiscard]] QString shownText(std::string_view text);
 
-}  // namespace geargraph::inline models
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "ui/panels/number_field.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 DriveTorqueStrip::DriveTorqueStrip(Document* document, QWidget* parent)
     : QWidget(parent), m_document(document), m_field(new NumberField(this)) {
@@ -48,4 +48,4 @@ void DriveTorqueStrip::renew() {
   m_field->setNumber(mechanism.driveTorque);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "ui/document/document.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class NumberField;
 
@@ -24,4 +24,4 @@ class DriveTorqueStrip : public QWidget {
   quint64 m_gesture = 0;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

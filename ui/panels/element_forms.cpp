@@ -7,10 +7,10 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "core/mechanism/fitting/axis_drag.h"
-#include "core/mechanism/fitting/fitted_edits.h"
-#include "core/mechanism/fitting/module_fit.h"
-#include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/geometry_edits/axis_drag.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
+#include "core/mechanism/geometry_edits/module_fit.h"
+#include "core/mechanism/geometry_edits/written_numbers.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "ui/document/typed_length.h"
@@ -21,7 +21,7 @@
 #include "ui/panels/parts_forms.h"
 #include "ui/panels/teeth_slider.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 /// The value that all elements share, or nothing.
@@ -432,6 +432,6 @@ PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& se
   return new MixedForm(document, std::move(elements), oneKind);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_element_forms.cpp"

@@ -6,7 +6,7 @@
 
 #include "ui/panels/property_forms.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class TeethSlider;
 
@@ -113,4 +113,4 @@ class MixedForm : public PropertyForm {
 /// for the document if none is selected; a remark for other selections. The caller owns it.
 [[nodiscard]] PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected);
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

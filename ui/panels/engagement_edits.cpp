@@ -4,11 +4,11 @@
 
 #include "core/theory/states/state_edits.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 Edit releaseAllEdit() {
   return {QCoreApplication::translate("panels", "Release all couplings"),
           [](const Mechanism& before) { return withCouplingsEngaged(before, {}); }, 0};
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -2,10 +2,10 @@
 
 #include "ui/document/document.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// An edit that releases all brakes and clutches. The joints that are freed become inputs at their current
 /// speeds.
 [[nodiscard]] Edit releaseAllEdit();
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

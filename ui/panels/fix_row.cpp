@@ -3,7 +3,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kGap = 6;
@@ -48,6 +48,6 @@ void FixRow::resizeEvent(QResizeEvent* event) {
   setMask(childrenRegion());
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_fix_row.cpp"

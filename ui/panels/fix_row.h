@@ -4,7 +4,7 @@
 
 class QPushButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// The quick-fix buttons of a diagnostic, along the lower edge of its row in the list. Outside the buttons
 /// mouse events pass through to the row.
@@ -30,4 +30,4 @@ class FixRow : public QWidget {
   QList<QPushButton*> m_buttons;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

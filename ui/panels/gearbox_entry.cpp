@@ -3,12 +3,12 @@
 #include <QLabel>
 #include <QStackedWidget>
 
-#include "ui/levers/levers_view.h"
+#include "ui/lever_views/levers_view.h"
 #include "ui/panels/gearbox_panel.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 QString GearboxPanel::emptyText() const {
   return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
@@ -42,4 +42,4 @@ ViewEntry gearboxView() {
           }};
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -23,7 +23,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/looks.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxListedLinks = 200;  // a menu of thousands takes half a second, and nobody reads it
@@ -163,7 +163,7 @@ void GearboxPanel::setSnapshot(const SnapshotPtr& snapshot) {
 
 void GearboxPanel::setAwake(bool awake) {
   m_isAwake = awake;
-  renewTorqueRequest();
+  updateTorqueRequest();
 }
 
 void GearboxPanel::setTorques(const std::shared_ptr<const ForceTable>& torques,
@@ -173,7 +173,7 @@ void GearboxPanel::setTorques(const std::shared_ptr<const ForceTable>& torques,
 }
 
 /// Nothing is solved for a document without states, or out of sight.
-void GearboxPanel::renewTorqueRequest() {
+void GearboxPanel::updateTorqueRequest() {
   const Mechanism& mechanism = *m_document->mechanism();
   const bool wants = m_isAwake && !mechanism.states.empty() && !mechanism.couplings.empty();
   if (wants == m_wantsTorques) return;
@@ -186,7 +186,7 @@ void GearboxPanel::renew() {
   m_model->setMechanism(mechanism);
   const int states = static_cast<int>(mechanism->states.size());
   if (m_shownState >= states) m_shownState = -1;
-  renewTorqueRequest();  // it may be answered at once, which paints the remark
+  updateTorqueRequest();  // it may be answered at once, which paints the remark
   m_pages->setCurrentIndex(mechanism->couplings.empty() && states == 0 ? 1 : 0);
   const bool moves = mechanism->n() > 0;
   m_brake->setEnabled(moves);
@@ -305,7 +305,7 @@ void GearboxPanel::engage(int state) {
 }
 
 void GearboxPanel::toggleCoupling(int coupling) {
-  const CouplingId id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id;
+  const ShiftElementId id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id;
   const bool engaged = !m_model->isEngagedNow(coupling);
   apply((engaged ? tr("Engage %1") : tr("Release %1")).arg(shownText(id.text())),
         [id, engaged](const Mechanism& before) { return withCouplingEngaged(before, id, engaged); });
@@ -318,7 +318,7 @@ void GearboxPanel::releaseAll() {
 /// What is engaged follows where it is the state that changes.
 void GearboxPanel::toggleDot(int state, int coupling, bool engaged) {
   m_shownState = state;
-  const CouplingId id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id;
+  const ShiftElementId id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id;
   apply((engaged ? tr("Put %1 into the state") : tr("Take %1 out of the state")).arg(shownText(id.text())),
         [=](const Mechanism& before) {
           Expected<Mechanism> changed = withEngaged(before, state, id, engaged);
@@ -478,6 +478,6 @@ void GearboxPanel::hoverCoupling(int coupling) {
   m_selection->hover(std::set<ElementId>(links.begin(), links.end()));
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_gearbox_panel.cpp"

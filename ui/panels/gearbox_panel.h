@@ -3,17 +3,17 @@
 #include <QWidget>
 
 #include "ui/document/document.h"
+#include "ui/document/selection.h"
 #include "ui/models/states_model.h"
-#include "ui/selection/selection.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QLabel;
 class QMenu;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class DriveTorqueStrip;
 class StatesTable;
@@ -68,7 +68,7 @@ class GearboxPanel : public QWidget, public ResultsView {
   void wireTable();
   void apply(const QString& text, Reduce reduce);
   void renew();
-  void renewTorqueRequest();
+  void updateTorqueRequest();
   void addTableActions(QMenu& menu);
   void paintRemark();
   void toggleDot(int state, int coupling, bool engaged);
@@ -101,4 +101,4 @@ class GearboxPanel : public QWidget, public ResultsView {
 
 [[nodiscard]] ViewEntry gearboxView();
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -26,7 +26,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/laid_out_at_once.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 /// Rows that are made at once: each is half a dozen widgets, and a train may have thousands of inputs.
@@ -140,11 +140,11 @@ void InputsPanel::renew() {
   m_more->setEnabled(shown < kMaxRows);
   m_more->setToolTip(m_more->isEnabled() ? QString() : tr("At most %1 inputs are listed.").arg(kMaxRows));
   m_empty->setVisible(inputs.empty());
-  renewEngaged();
+  updateEngaged();
 }
 
 /// "Engaged: state 1, with A (2 held), C (1 = 6)".
-void InputsPanel::renewEngaged() {
+void InputsPanel::updateEngaged() {
   constexpr int kMaxNames = 12;
   const Mechanism& mechanism = *m_document->mechanism();
   const bool any = !mechanism.engaged.empty();
@@ -154,10 +154,10 @@ void InputsPanel::renewEngaged() {
   const ElementIndex& index = m_document->elements();
   const auto label = [&](LinkId link) { return shownText(index.labelOf(link).value()); };
   QStringList names;
-  for (const CouplingId id : mechanism.engaged) {
-    const Coupling& coupling = *mechanism.find(id);
+  for (const ShiftElementId id : mechanism.engaged) {
+    const ShiftElement& coupling = *mechanism.find(id);
     const QString holds =
-        coupling.kind == CouplingKind::brake
+        coupling.kind == ShiftElementKind::brake
             ? tr("link %1 held").arg(label(coupling.links.front()))
             : tr("links %1 and %2 as one").arg(label(coupling.links.front()), label(coupling.links.back()));
     names << tr("%1 (%2)").arg(shownText(id.text()), holds);
@@ -313,12 +313,12 @@ void InputsPanel::drive(const std::vector<int>& joints) {
 
 void InputsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   m_snapshot = snapshot;
-  renewEmptyText();
-  renewChoice();
+  updateEmptyText();
+  updateChoice();
 }
 
 /// What the empty panel says depends on whether there is anything to drive.
-void InputsPanel::renewEmptyText() {
+void InputsPanel::updateEmptyText() {
   const MatroidAnalysis* matroid = m_snapshot->matroid();
   if (m_snapshot->mechanism->t() == 0) {
     m_empty->setText(tr("There is nothing to drive yet. Draw a turning joint: T, then drag."));
@@ -330,7 +330,7 @@ void InputsPanel::renewEmptyText() {
 }
 
 /// A valid set is one click away where there is none.
-void InputsPanel::renewChoice() {
+void InputsPanel::updateChoice() {
   const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
   const bool needed = matroid != nullptr && !matroid->choice.joints.empty() &&
                       (!matroid->inputsGiven || !matroid->choice.wantedIsValid());
@@ -376,6 +376,6 @@ bool InputsPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_inputs_panel.cpp"

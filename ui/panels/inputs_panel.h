@@ -5,14 +5,14 @@
 
 #include "core/theory/analysis/analysis.h"
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 
 class QGridLayout;
 class QLabel;
 class QMenu;
 class QToolButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class NumberField;
 class RateLabel;
@@ -59,9 +59,9 @@ class InputsPanel : public QWidget {
   void setSpeed(JointId joint, const Number& speed);
   QToolButton* makeExchange(JointId joint);
   void fillExchange(QMenu& menu, JointId input);
-  void renewEmptyText();
-  void renewChoice();
-  void renewEngaged();
+  void updateEmptyText();
+  void updateChoice();
+  void updateEngaged();
 
   Document* m_document;
   Selection* m_selection;
@@ -79,4 +79,4 @@ class InputsPanel : public QWidget {
   quint64 m_gesture = 0;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

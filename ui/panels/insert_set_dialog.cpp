@@ -15,7 +15,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/looks.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 using Counts = std::vector<int>;
@@ -151,6 +151,6 @@ void InsertSetDialog::renew() {
   m_preview->setMechanism(*set);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_insert_set_dialog.cpp"

@@ -9,7 +9,7 @@ class QListWidget;
 class QPushButton;
 class QStackedWidget;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class SetForm;
 class SetPreview;
@@ -38,4 +38,4 @@ class InsertSetDialog : public QDialog {
   QPushButton* m_insert;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 QPushButton* JointForm::makeLayButton() {
   auto* button = new QPushButton(tr("Lay axis"), this);
   button->setObjectName(QStringLiteral("layAxis"));
@@ -83,4 +83,4 @@ void JointForm::showLimit(NumberField& field, const std::optional<std::optional<
   field.setNumber(limit ? *limit : std::nullopt);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -7,12 +7,12 @@
 
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("LinkParts", text);
-}
+struct PartTexts {
+  Q_DECLARE_TR_FUNCTIONS(LinkParts)
+};
 
 /// Texts of elements, of which no more than are read are made.
 class PartList {
@@ -31,7 +31,7 @@ class PartList {
   [[nodiscard]] QString text() const {
     QStringList texts = m_texts;
     if (m_count > LinkParts::kMaxListed)
-      texts += translated("and %1 more").arg(m_count - LinkParts::kMaxListed);
+      texts += PartTexts::tr("and %1 more").arg(m_count - LinkParts::kMaxListed);
     return texts.join(QStringLiteral("<br>"));
   }
 
@@ -48,9 +48,9 @@ LinkParts partsOf(const Mechanism& mechanism, const ElementIndex& index, const L
   for (const TurningJoint& joint : mechanism.turningJoints) {
     if (joint.tail != link && joint.head != link) continue;
     joints.add([&] {
-      return translated("%1 with %2, axis %3")
+      return PartTexts::tr("%1 with %2, axis %3")
           .arg(joints.linkTo(joint.id),
-               joints.linkTo(joint.tail == link ? joint.head : joint.tail, translated("link ")),
+               joints.linkTo(joint.tail == link ? joint.head : joint.tail, PartTexts::tr("link ")),
                shownText(joint.axis.text()).toHtmlEscaped());
     });
   }
@@ -58,19 +58,20 @@ LinkParts partsOf(const Mechanism& mechanism, const ElementIndex& index, const L
     if (mesh.tail != link && mesh.head != link) continue;
     const bool isTail = mesh.tail == link;
     gears.add([&] {
-      return translated("%1 teeth in mesh %2 with %3")
+      return PartTexts::tr("%1 teeth in mesh %2 with %3")
           .arg(isTail ? mesh.tailTeeth : mesh.headTeeth)
-          .arg(gears.linkTo(mesh.id), gears.linkTo(isTail ? mesh.head : mesh.tail, translated("link ")));
+          .arg(gears.linkTo(mesh.id), gears.linkTo(isTail ? mesh.head : mesh.tail, PartTexts::tr("link ")));
     });
   }
-  for (const Coupling& coupling : mechanism.couplings) {
+  for (const ShiftElement& coupling : mechanism.couplings) {
     if (std::find(coupling.links.begin(), coupling.links.end(), link) == coupling.links.end()) continue;
     couplings.add([&] {
-      const bool isBrake = coupling.kind == CouplingKind::brake;
-      QString text = couplings.linkTo(coupling.id, isBrake ? translated("brake ") : translated("clutch "));
+      const bool isBrake = coupling.kind == ShiftElementKind::brake;
+      QString text =
+          couplings.linkTo(coupling.id, isBrake ? PartTexts::tr("brake ") : PartTexts::tr("clutch "));
       for (const LinkId& other : coupling.links) {
         if (other != link)
-          text = translated("%1 with %2").arg(text, couplings.linkTo(other, translated("link ")));
+          text = PartTexts::tr("%1 with %2").arg(text, couplings.linkTo(other, PartTexts::tr("link ")));
       }
       return text;
     });
@@ -90,7 +91,7 @@ QString jointsOn(const Mechanism& mechanism, const ElementIndex& index, const Ax
   return joints.text();
 }
 
-QString linksOf(const Coupling& coupling, const ElementIndex& index) {
+QString linksOf(const ShiftElement& coupling, const ElementIndex& index) {
   PartList links(index);
   for (const LinkId& link : coupling.links) links.add([&] { return links.linkTo(link); });
   return links.text();
@@ -104,7 +105,8 @@ QString addressOf(const ElementId& element) {
 
 ElementId elementAt(const QString& address) {
   const QString id = QUrl::fromPercentEncoding(address.section(QLatin1Char(':'), 1).toLatin1());
-  return {static_cast<ElementKind>(address.section(QLatin1Char(':'), 0, 0).toInt()), Atom(id.toStdString())};
+  return {static_cast<ElementKind>(address.section(QLatin1Char(':'), 0, 0).toInt()),
+          InternedString(id.toStdString())};
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

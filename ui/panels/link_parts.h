@@ -5,7 +5,7 @@
 #include "core/mechanism/model/element_index.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// The joints, the gears with their teeth, and the brakes and clutches of a link, as rich text with an
 /// addressOf() hyperlink for each; empty if there are none. Beyond kMaxListed only the number of the others
@@ -24,10 +24,10 @@ struct LinkParts {
 /// The turning joints about an axis, as rich text with hyperlinks: "11: 1 → 6". Cost: O(joints).
 [[nodiscard]] QString jointsOn(const Mechanism& mechanism, const ElementIndex& index, const AxisId& axis);
 /// The links of a coupling, in the same way.
-[[nodiscard]] QString linksOf(const Coupling& coupling, const ElementIndex& index);
+[[nodiscard]] QString linksOf(const ShiftElement& coupling, const ElementIndex& index);
 
 /// The hyperlink target for an element in rich text, and back.
 [[nodiscard]] QString addressOf(const ElementId& element);
 [[nodiscard]] ElementId elementAt(const QString& address);
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

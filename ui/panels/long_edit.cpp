@@ -6,7 +6,7 @@
 
 #include "ui/models/term_tips.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kSilence = 400;  // ms, until the dialog comes
@@ -89,6 +89,6 @@ void LongEdit::end(const QString& why) {
   deleteLater();
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_long_edit.cpp"

@@ -16,7 +16,7 @@
 class QProgressDialog;
 class QWidget;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// Applies an edit. Returns why the document rejected it, as a sentence; empty on success.
 [[nodiscard]] QString rejectionOf(Document& document, const Edit& edit);
@@ -88,4 +88,4 @@ Expected<Value> changedInTurn(Value before, const std::vector<ElementId>& elemen
   return next;
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

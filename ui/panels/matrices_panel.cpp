@@ -14,8 +14,8 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/matrix_text.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
@@ -23,9 +23,9 @@
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/folding_bar.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kCardWidth = 176;
@@ -171,7 +171,7 @@ QToolButton* MatricesPanel::makeCopyButton() {
     menu->addAction(format.name, this, [this, format] {
       if (const QuantityTablePtr table = m_model->quantity()) {
         copy([table, write = format.quantity] {
-          const InEnglish english;  // for other programs
+          const EnglishScope english;  // for other programs
           return write(*table);
         });
       } else if (const IntegerMatrixPtr matrix = m_model->matrix()) {
@@ -294,8 +294,8 @@ void MatricesPanel::explain(const QModelIndex& index) {
   }
   const auto quantity = m_model->quantityKind();
   const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
-  m_cardTitle->setText(shownText(base::translated(definition.name)));
-  m_cardText->setText(shownText(base::translated(definition.text)) +
+  m_cardTitle->setText(shownText(translated(definition.name)));
+  m_cardText->setText(shownText(translated(definition.text)) +
                       (definition.equation != PaperEquation::none
                            ? tr(" Eq. (%1)").arg(numberOf(definition.equation))
                            : QString()));
@@ -322,12 +322,12 @@ void MatricesPanel::renew() {
   m_export->setToolTip(there ? tr("Export the matrix with its labels to a CSV file") : why);
   m_copy->setToolTip(there ? tr("Copy the matrix with its labels") : why);
   m_empty->setText(why);
-  renewForm();
+  updateForm();
   m_pages->setCurrentWidget(empty ? static_cast<QWidget*>(m_empty) : m_view);
   explain({});
 }
 
-void MatricesPanel::renewForm() {
+void MatricesPanel::updateForm() {
   const auto kind = m_model->quantityKind();
   const bool isOfNumbers = kind && *kind != QuantityKind::ttCircuits && *kind != QuantityKind::ttCutsets;
   m_form->setVisible(isOfNumbers);  // of whole numbers there is one form
@@ -402,6 +402,6 @@ ViewEntry matricesView() {
           }};
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_matrices_panel.cpp"

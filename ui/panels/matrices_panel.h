@@ -7,11 +7,11 @@
 
 #include "core/foundations/base/request_worker.h"
 #include "core/teaching/derivation/glossary.h"
+#include "ui/document/selection.h"
 #include "ui/models/matrix_model.h"
-#include "ui/selection/selection.h"
 #include "ui/service/background_work.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QButtonGroup;
 class QFrame;
@@ -20,7 +20,7 @@ class QLayout;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class MatrixView;
 
@@ -72,7 +72,7 @@ class MatricesPanel : public QWidget, public ResultsView, public BackgroundWork 
   /// room.
   void fitCard();
   void renew();
-  void renewForm();
+  void updateForm();
   [[nodiscard]] QString whyEmpty() const;
   [[nodiscard]] QString whyNoQuantity() const;
 
@@ -92,4 +92,4 @@ class MatricesPanel : public QWidget, public ResultsView, public BackgroundWork 
 
 [[nodiscard]] ViewEntry matricesView();
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 void paintBracket(QPainter& painter, int x, int top, int bottom, int hook) {
   painter.drawPolyline(
@@ -86,6 +86,6 @@ void MatrixHeader::leaveEvent(QEvent* event) {
   emit sectionHovered(-1);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_matrix_header.cpp"

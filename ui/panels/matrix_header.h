@@ -3,7 +3,7 @@
 #include <QHeaderView>
 #include <functional>
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 constexpr int kMatrixBracket = 12;  ///< pixels for a bracket beside the first and last column
 
@@ -34,4 +34,4 @@ class MatrixHeader : public QHeaderView {
 /// pixels, to the left if negative.
 void paintBracket(QPainter& painter, int x, int top, int bottom, int hook);
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

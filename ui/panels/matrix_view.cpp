@@ -12,7 +12,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/looks.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kRowsMeasured = 200;  // for the widths of columns
@@ -386,6 +386,6 @@ void MatrixView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fitSections();
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_matrix_view.cpp"

@@ -4,10 +4,10 @@
 #include <QTimer>
 #include <unordered_set>
 
+#include "ui/document/selection.h"
 #include "ui/models/matrix_model.h"
-#include "ui/selection/selection.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// A matrix as in print: labels above and beside, brackets, the partition as a dashed line, ±1 tinted, zeros
 /// as faint dots. Hovered cells highlight their elements in all views through the selection, and elements
@@ -84,4 +84,4 @@ class MatrixView : public QTableView {
   QTimer m_rest;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -2,12 +2,12 @@
 
 #include <QHBoxLayout>
 
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/teeth_slider.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 Expected<PlacedMechanism> withTeethOf(const PlacedMechanism& before, const ElementId& id, bool ofTail,
@@ -70,4 +70,4 @@ void MeshForm::slideTeeth(bool ofTail, int teeth) {
               });
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

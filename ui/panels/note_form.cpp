@@ -7,7 +7,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/theme/plain_text_field.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 NoteForm::NoteForm(Document* document, std::vector<ElementId> notes)
     : PropertyForm(document, std::move(notes)) {
@@ -40,7 +40,7 @@ bool NoteForm::eventFilter(QObject* watched, QEvent* event) {
 
 void NoteForm::take() {
   const std::string text = noteText(m_text->toPlainText().toStdString());
-  const SheetNote* const note = mechanism().find(NoteId(elements().front().id));
+  const CanvasNote* const note = mechanism().find(NoteId(elements().front().id));
   if (note == nullptr || note->text == text) return;
   m_isTaking = true;
   apply(tr("Change note"), [text](const Mechanism& before, const ElementId& element) {
@@ -52,7 +52,7 @@ void NoteForm::take() {
 void NoteForm::refresh() {
   // Another text in the middle of an undo of the field would leave Qt with a place that is not there.
   if (m_text == nullptr || m_isTaking) return;
-  const SheetNote* const note = mechanism().find(NoteId(elements().front().id));
+  const CanvasNote* const note = mechanism().find(NoteId(elements().front().id));
   const QString now = shownText(note->text);
   // What is being typed stays as it is, with its blanks and its cursor.
   const bool isTyped = m_text->hasFocus() && noteText(m_text->toPlainText().toStdString()) == note->text;
@@ -61,6 +61,6 @@ void NoteForm::refresh() {
   m_text->setPlainText(now);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_note_form.cpp"

@@ -4,7 +4,7 @@
 
 class QPlainTextEdit;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// The form for the text of a note. The text is applied while it is typed; everything typed until the field
 /// loses the focus is one undo step. For several notes it shows only their number.
@@ -24,4 +24,4 @@ class NoteForm : public PropertyForm {
   bool m_isTaking = false;           ///< what has just been typed, or undone, in the field
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -10,12 +10,12 @@
 #include <QWheelEvent>
 #include <utility>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "core/mechanism/model/length.h"
 #include "ui/document/typed_length.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
   setProperty("look", "number");
@@ -32,7 +32,7 @@ NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
 
 /// With the decimal sign that is typed here; a minus stays a hyphen, as one types it.
 QString NumberField::textOf(const Number& number) {
-  return QString::fromStdString(spokenNumber(number.text()));
+  return QString::fromStdString(localizedNumber(number.text()));
 }
 
 void NumberField::setWhole(int least, int most) {
@@ -283,6 +283,6 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
   if (property("wrong").toBool()) markWrong(false);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_number_field.cpp"

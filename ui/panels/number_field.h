@@ -9,7 +9,7 @@
 #include "core/mechanism/model/number.h"
 #include "core/mechanism/model/quantity.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// A spin box for exact numbers (12, 0.5, 22/7, 2*3), stepped by the arrow keys, the wheel or its arrow
 /// buttons. Typed text is committed by Return, by leaving the field or after kPause, so that typing 1000 does
@@ -110,4 +110,4 @@ class NumberField : public QAbstractSpinBox {
   bool m_selectOnRelease = false;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

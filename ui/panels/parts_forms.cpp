@@ -7,7 +7,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 AxisForm::AxisForm(Document* document, const ElementId& axis)
     : PropertyForm(document, {axis}), m_joints(addParts(tr("Joints"), Term::turningJoint)) {
@@ -29,19 +29,19 @@ CouplingForm::CouplingForm(Document* document, const ElementId& coupling)
     newGesture();
     apply((isEngagedNow() ? tr("Release %1") : tr("Engage %1")).arg(shownText(elements().front().id.text())),
           [engaged = !isEngagedNow()](const Mechanism& before, const ElementId& element) {
-            return withCouplingEngaged(before, CouplingId(element.id), engaged);
+            return withCouplingEngaged(before, ShiftElementId(element.id), engaged);
           });
   });
 }
 
 bool CouplingForm::isEngagedNow() const {
-  return isEngaged(mechanism(), CouplingId(elements().front().id));
+  return isEngaged(mechanism(), ShiftElementId(elements().front().id));
 }
 
 void CouplingForm::refresh() {
-  const Coupling& coupling = *mechanism().find(CouplingId(elements().front().id));
-  const bool isBrake = coupling.kind == CouplingKind::brake;
-  const bool isFreewheel = coupling.kind == CouplingKind::freewheel;
+  const ShiftElement& coupling = *mechanism().find(ShiftElementId(elements().front().id));
+  const bool isBrake = coupling.kind == ShiftElementKind::brake;
+  const bool isFreewheel = coupling.kind == ShiftElementKind::freewheel;
   setTitle((isBrake       ? tr("Brake %1")
             : isFreewheel ? tr("Freewheel %1")
                           : tr("Clutch %1"))
@@ -53,6 +53,6 @@ void CouplingForm::refresh() {
                                      : tr("While it is engaged the clutch makes its links turn as one."));
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_parts_forms.cpp"

@@ -4,7 +4,7 @@
 
 class QPushButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// The form for one axis: the joints that turn about it, which have its place and direction.
 class AxisForm : public PropertyForm {
@@ -33,4 +33,4 @@ class CouplingForm : public PropertyForm {
   QPushButton* m_engage;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -18,10 +18,10 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/icons.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kIconRoom = 38;
@@ -311,9 +311,9 @@ ViewEntry problemsView() {
             workbench.forces().onAnswer(panel, [panel](const ForcesPtr& forces) {
               panel->setLoadDiagnostics(forces ? forces->diagnostics : Diagnostics());
             });
-            workbench.stages().onAnswer(panel, [panel](const StagePtr& stage) {
+            workbench.stages().onAnswer(panel, [panel](const MechanismScenePtr& stage) {
               Diagnostics missing;
-              for (const StageNote& note : stage->notes)
+              for (const SceneNote& note : stage->notes)
                 if (note.isMissingFile) missing.push_back({Code::missingFile, note.text, {note.element}, {}});
               panel->setShapeDiagnostics(missing);
             });
@@ -321,6 +321,6 @@ ViewEntry problemsView() {
           }};
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_problems_panel.cpp"

@@ -3,18 +3,18 @@
 #include <QWidget>
 
 #include "core/design/fixes/fixes.h"
+#include "ui/document/selection.h"
 #include "ui/models/diagnostic_model.h"
-#include "ui/selection/selection.h"
 #include "ui/service/service.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QFrame;
 class QLabel;
 class QListView;
 class QStackedWidget;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// The diagnostics of the mechanism, or of a file that could not be opened. Hovering one highlights its
 /// elements in all views, a click selects them, and buttons under it apply quick fixes. In large documents,
@@ -91,4 +91,4 @@ class ProblemsPanel : public QWidget, public ResultsView {
 
 [[nodiscard]] ViewEntry problemsView();
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

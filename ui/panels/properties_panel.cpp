@@ -1,9 +1,9 @@
 #include "ui/panels/properties_panel.h"
 
 #include "ui/panels/element_forms.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 PropertiesPanel::PropertiesPanel(Document* document, Selection* selection, QWidget* parent)
     : QScrollArea(parent), m_document(document), m_selection(selection) {
@@ -48,6 +48,6 @@ ViewEntry propertiesView() {
           }};
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_properties_panel.cpp"

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "ui/document/document.h"
-#include "ui/selection/selection.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/document/selection.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class PropertyForm;
 
@@ -32,4 +32,4 @@ class PropertiesPanel : public QScrollArea, public ResultsView {
 
 [[nodiscard]] ViewEntry propertiesView();
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

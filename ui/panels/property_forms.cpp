@@ -7,13 +7,13 @@
 #include <QSignalBlocker>
 #include <atomic>
 
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/pins.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 /// Elements to be changed times joints and meshes: some tens of milliseconds.
@@ -237,6 +237,6 @@ std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& tri
   return changed;
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_property_forms.cpp"

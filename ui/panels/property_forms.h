@@ -15,7 +15,7 @@ class QFormLayout;
 class QLabel;
 class QPushButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class NumberField;
 
@@ -111,4 +111,4 @@ class TripleField : public QWidget {
                                                         const std::optional<Number>& number,
                                                         const NumberTriple& otherwise);
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

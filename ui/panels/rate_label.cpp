@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QtMath>
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 const QString kTheta = QStringLiteral("θ");
 constexpr int kLeastLetters = 12;  // "link 4" and the beginning of its name
@@ -73,6 +73,6 @@ void RateLabel::paintEvent(QPaintEvent*) {
                    metrics.elidedText(QLatin1Char(' ') + m_words, Qt::ElideRight, width() - advance));
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_rate_label.cpp"

@@ -4,7 +4,7 @@
 
 class QPainter;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// Paints the relative rate of a joint in the paper's notation: θ with a dot above and the joint's label as a
 /// subscript. The dot is painted separately because few fonts place a combining dot on a θ well.
@@ -36,4 +36,4 @@ class RateLabel : public QWidget {
   QString m_words;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

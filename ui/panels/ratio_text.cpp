@@ -11,7 +11,7 @@
 #include <limits>
 #include <memory>
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 enum Face { kUpright, kItalic, kLowered, kFaces };
@@ -122,4 +122,4 @@ double paintRatios(QPainter* painter, const QFont& font, const QPointF& at, cons
   return set.advance;
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 class QPainter;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// Paints a formula in the gear ratios, "-i18*i17/(i15 + 1)", typeset: italic i with its label as a
 /// subscript, products without a sign, a Unicode minus sign. The glyphs of the last formulas are kept, and
@@ -17,4 +17,4 @@ namespace geargraph::inline panels {
 /// @return the advance in pixels
 double paintRatios(QPainter* painter, const QFont& font, const QPointF& at, const QString& formula);
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

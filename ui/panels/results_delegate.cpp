@@ -11,7 +11,7 @@
 #include "ui/panels/ratio_text.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kMargin = 16;   // at the left and right edge of the table
@@ -197,6 +197,6 @@ void ResultsHeader::paintSection(QPainter* painter, const QRect& rect, int secti
   painter->restore();
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_results_delegate.cpp"

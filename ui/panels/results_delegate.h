@@ -6,9 +6,9 @@
 #include <QPixmap>
 #include <QStyledItemDelegate>
 
-#include "ui/selection/selection.h"
+#include "ui/document/selection.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// Paints the cells of the results: rates, formulas in the gear ratios, numbers.
 class ResultsDelegate : public QStyledItemDelegate {
@@ -63,4 +63,4 @@ void paintLinkDot(QPainter& painter, const QPointF& centre, int colorNumber);
 /// The same as a pixmap of 12 by 12 logical pixels.
 [[nodiscard]] QPixmap linkDot(int colorNumber, qreal pixelRatio);
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -18,7 +18,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/looks.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kRowHeight = 23;
@@ -63,7 +63,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_ratio->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   m_ratio->setToolTip(
       tr("Speed of the only input over that of an output. Select a joint or a link to see its ratio."));
-  connect(m_selection, &Selection::selectionChanged, this, &ResultsPanel::renewRatio);
+  connect(m_selection, &Selection::selectionChanged, this, &ResultsPanel::updateRatio);
   m_verdict->setObjectName(QStringLiteral("verdict"));
   m_verdict->setProperty("look", "verdict");
   m_verdict->setWordWrap(true);
@@ -216,7 +216,7 @@ void ResultsPanel::renew() {
   if (m_isBehind) return;
   m_measured.clear();  // before what is shown below resizes the table
   const bool solved = m_model->columnCount() > 0;
-  m_empty->setText(whyNone());
+  m_empty->setText(unavailableReason());
   const bool hasLinks = m_absolute && m_linkModel->rowCount() > 0;
   m_pages->setCurrentIndex(hasLinks ? 2 : (solved && m_model->rowCount() > 0 ? 0 : 1));
   if (hasLinks) {
@@ -225,13 +225,13 @@ void ResultsPanel::renew() {
   }
   if (!isWaiting() || m_absolute) m_symbols->setVisible(m_model->hasSymbols() && !m_absolute);
   m_symbols->setText(m_model->isSymbolic() ? tr("fractions") : tr("formulas"));
-  renewNote();
-  renewRatio();
+  updateNote();
+  updateRatio();
   fitColumns();
   paintVerdict();
 }
 
-void ResultsPanel::renewNote() {
+void ResultsPanel::updateNote() {
   QString note;
   const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
   if (m_model->columnCount() > 0 && matroid != nullptr && !matroid->inputsGiven &&
@@ -257,7 +257,7 @@ int ResultsPanel::ratioRow() const {
   return m_model->ratioRow();
 }
 
-void ResultsPanel::renewRatio() {
+void ResultsPanel::updateRatio() {
   const QString ratio = m_model->ratioText(ratioRow());
   const QString text = ratio.isEmpty() ? QString() : tr("Ratio %1").arg(ratio);
   if (text != m_ratio->text()) m_ratio->setText(text);
@@ -350,7 +350,7 @@ QString ResultsPanel::emptyText() const {
   return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
 }
 
-QString ResultsPanel::whyNone() const {
+QString ResultsPanel::unavailableReason() const {
   if (!m_snapshot) return tr("The results appear as soon as the mechanism is analysed.");
   for (const Diagnostic& diagnostic : m_snapshot->diagnostics) {
     if (diagnostic.severity() == Severity::error) return shownText(diagnostic.message);
@@ -389,6 +389,6 @@ void ResultsPanel::fitToType() {
   fitColumns();
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_results_panel.cpp"

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "ui/document/selection.h"
 #include "ui/models/link_speeds_model.h"
 #include "ui/models/link_text.h"
 #include "ui/models/results_model.h"
-#include "ui/selection/selection.h"
 #include "ui/service/turns.h"
 #include "ui/theme/application_theme.h"
 
@@ -20,7 +20,7 @@ class QStackedWidget;
 class QTableView;
 class QToolButton;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// The solution: the rates of all other joints for one unit of each input, their current rates, and whether
 /// both methods agree; or the absolute velocities of the links. Speeds in rad/s, rpm or as ratios.
@@ -63,15 +63,15 @@ class ResultsPanel : public QWidget {
   void makeLinkTable();
   QLayout* makeStrip();
   void showLinkSpeeds(bool shown);
-  void renewFrame();
+  void updateFrame();
   void fillFrames(QMenu& menu);
   void fillUnits(QMenu& menu);
   void fillMotors(QMenu& menu);
   void hoverHead(int section);
   void hoverRow(const QModelIndex& index);
   void renew();
-  void renewNote();
-  void renewRatio();
+  void updateNote();
+  void updateRatio();
   void typeChanged();
   void fitToType();
   void fitColumns();
@@ -82,7 +82,7 @@ class ResultsPanel : public QWidget {
   /// The verdict on the two methods; std::nullopt while the former verdict stays shown for a moment.
   [[nodiscard]] std::optional<std::pair<QString, ColorRole>> verdictNow() const;
   [[nodiscard]] bool isWaiting() const;
-  [[nodiscard]] QString whyNone() const;
+  [[nodiscard]] QString unavailableReason() const;
 
   Selection* m_selection;
   ResultsModel* m_model;
@@ -101,7 +101,7 @@ class ResultsPanel : public QWidget {
   bool m_isBehind = false;      ///< the display is out of date
   std::vector<int> m_measured;  ///< widths of columns; 0: not yet
   std::vector<int> m_fitted;    ///< widths of columns; the last is that of the table
-  TurnOf m_typeTurn{this, [this] { fitToType(); }};
+  CoalescedTask m_typeTurn{this, [this] { fitToType(); }};
   std::pair<QFont, int> m_type;  ///< of the table, and the height of rows, that they were measured in
   QToolButton* m_symbols;
   QStackedWidget* m_pages;
@@ -112,4 +112,4 @@ class ResultsPanel : public QWidget {
   QTimer m_patience;  ///< times out when the exact solution takes long enough to be mentioned
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

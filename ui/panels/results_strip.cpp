@@ -10,7 +10,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/results_panel.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxUnits = 40;   ///< entries of a menu
@@ -74,7 +74,7 @@ void ResultsPanel::setNames(const MechanismPtr& newest) {
   m_names.setNewest(newest);
   m_model->setNames(newest);
   m_linkModel->setNames(newest);
-  renewFrame();
+  updateFrame();
   renew();
 }
 
@@ -92,11 +92,11 @@ void ResultsPanel::showLinkSpeeds(bool shown) {
   m_absolute = shown;
   m_linkModel->setObserver(m_observer);
   if (shown) m_linkModel->setSnapshot(m_snapshot);
-  renewFrame();
+  updateFrame();
   renew();
 }
 
-void ResultsPanel::renewFrame() {
+void ResultsPanel::updateFrame() {
   QString text = tr("joint by joint");
   if (m_absolute) text = tr("relative to the ground");
   if (m_absolute && m_observer && m_snapshot) {
@@ -203,4 +203,4 @@ void ResultsPanel::fillMotors(QMenu& menu) {
   if (menu.isEmpty()) menu.addAction(tr("Every link turns on the ground"))->setEnabled(false);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -8,11 +8,11 @@
 
 #include "core/design/synthesis/planetary_set.h"
 #include "core/design/synthesis/reverted_train.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "ui/models/printed_number.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 QString errorText(double error) {
@@ -208,6 +208,6 @@ std::vector<ChoiceForm::Choice> RevertedForm::choices(const Rational& ratio) con
   return choices;
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_set_forms.cpp"

@@ -12,7 +12,7 @@ class QComboBox;
 class QFormLayout;
 class QTableWidget;
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 class NumberField;
 
@@ -118,4 +118,4 @@ class RevertedForm : public ChoiceForm {
   NumberField* m_most;
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

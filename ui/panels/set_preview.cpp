@@ -7,15 +7,15 @@
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
-constexpr int kMaxNames = 16;  // beyond, the wheels would have no room
+constexpr int kMaxPreviewNames = 16;  // beyond, the wheels would have no room
 constexpr int kNameHeight = 18;
 
 /// One row for two names; the last says how many are left out.
 int nameRows(int links) {
-  return (std::min(links, kMaxNames) + 1) / 2 + (links > kMaxNames ? 1 : 0);
+  return (std::min(links, kMaxPreviewNames) + 1) / 2 + (links > kMaxPreviewNames ? 1 : 0);
 }
 
 /// The point on the other side of the axis.
@@ -89,7 +89,7 @@ void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool ta
 
 void SetPreview::paintNames(QPainter& painter) const {
   painter.setPen(qColor(ColorRole::ink, themeOf(palette())));
-  const int count = std::min(m_mechanism.n(), kMaxNames);
+  const int count = std::min(m_mechanism.n(), kMaxPreviewNames);
   const int rows = nameRows(m_mechanism.n());
   for (int link = 1; link <= count; ++link) {
     const int column = (link - 1) % 2;
@@ -124,6 +124,6 @@ void SetPreview::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_set_preview.cpp"

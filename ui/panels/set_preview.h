@@ -5,7 +5,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// A preview of a gear set: the pitch circles of gears on parallel axes seen along them, the pitch cones of
 /// bevel gears seen from the side, in the colours of the links, with the links' names.
@@ -33,4 +33,4 @@ class SetPreview : public QWidget {
   bool m_across = false;  ///< bevel gears: seen along x
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

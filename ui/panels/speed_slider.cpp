@@ -7,7 +7,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 constexpr double kHandle = 6.5;  // radius
 }
@@ -68,6 +68,6 @@ void SpeedSlider::keyPressEvent(QKeyEvent* event) {
   QAbstractSlider::keyPressEvent(event);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_speed_slider.cpp"

@@ -2,7 +2,7 @@
 
 #include <QAbstractSlider>
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// A slider with zero in the middle. The part between zero and the handle is filled to show the direction.
 /// The arrow keys step, Home sets it to zero.
@@ -29,4 +29,4 @@ class SpeedSlider : public QAbstractSlider {
   void follow(double x);
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "ui/document/typed_length.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kMargin = 16;      // at the left and right edge of the table
@@ -255,6 +255,6 @@ void StatesTable::resizeEvent(QResizeEvent* event) {
   fitColumns();
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_states_table.cpp"

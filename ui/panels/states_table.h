@@ -7,7 +7,7 @@
 
 #include "ui/models/states_model.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// Paints the cells of the shift table: dots of engaged couplings, names, ratios.
 class StatesDelegate : public QStyledItemDelegate {
@@ -69,4 +69,4 @@ class StatesTable : public QTableView {
   mutable QFont m_measured;  ///< the font of m_advances
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

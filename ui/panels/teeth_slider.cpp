@@ -9,7 +9,7 @@
 
 #include "ui/theme/field_painting.h"
 
-namespace geargraph::inline panels {
+namespace geargraph {
 namespace {
 
 constexpr int kMin = 6;  // below, gears can hardly be made
@@ -73,6 +73,6 @@ void TeethSlider::wheelEvent(QWheelEvent* event) {
   QSlider::wheelEvent(event);
 }
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph
 
 #include "moc_teeth_slider.cpp"

@@ -3,7 +3,7 @@
 #include <QSlider>
 #include <optional>
 
-namespace geargraph::inline panels {
+namespace geargraph {
 
 /// A slider for the number of teeth of a gear, over the usual range and at least up to twice the gear's
 /// number. It shows the document's number: a rejected number moves it back. Esc during a drag restores the
@@ -35,4 +35,4 @@ class TeethSlider : public QSlider {
   bool m_isGivenUp = false;  ///< the current drag was cancelled
 };
 
-}  // namespace geargraph::inline panels
+}  // namespace geargraph

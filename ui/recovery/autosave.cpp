@@ -6,7 +6,7 @@
 
 #include "core/foundations/files/file.h"
 
-namespace geargraph::inline recovery {
+namespace geargraph {
 
 Autosave::Autosave(Document* document, QString folder, QObject* parent)
     : QObject(parent),
@@ -123,6 +123,6 @@ void Autosave::finished(const Job& job, const QString& path, const QString& erro
   if (isUpToDate()) emit upToDate();
 }
 
-}  // namespace geargraph::inline recovery
+}  // namespace geargraph
 
 #include "moc_autosave.cpp"

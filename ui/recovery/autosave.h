@@ -14,7 +14,7 @@
 
 class QTimer;
 
-namespace geargraph::inline recovery {
+namespace geargraph {
 
 /// Keeps the unsaved changes of a document in a side file, never in the document's own file: kDelay after an
 /// edit the newest state is passed to a background thread, which writes it atomically. The side file is
@@ -89,4 +89,4 @@ class Autosave : public QObject, public BackgroundWork {
   StoppableThread m_thread;  ///< last: started after the members it uses
 };
 
-}  // namespace geargraph::inline recovery
+}  // namespace geargraph

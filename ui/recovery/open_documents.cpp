@@ -19,7 +19,7 @@
 
 #include "core/foundations/files/file_identity.h"
 
-namespace geargraph::inline recovery {
+namespace geargraph {
 namespace {
 
 using FileLock = boost::interprocess::file_lock;
@@ -184,6 +184,6 @@ void OpenDocuments::write() const {
   if (isWritten) std::filesystem::rename(nativePath(fresh.fileName()), nativePath(list), error);
 }
 
-}  // namespace geargraph::inline recovery
+}  // namespace geargraph
 
 #include "moc_open_documents.cpp"

@@ -11,7 +11,7 @@
 
 class QLocalServer;
 
-namespace geargraph::inline recovery {
+namespace geargraph {
 
 /// Another running program that has a document open.
 struct DocumentHolder {
@@ -67,4 +67,4 @@ class OpenDocuments : public QObject {
   std::function<bool(const QString&)> m_shower;
 };
 
-}  // namespace geargraph::inline recovery
+}  // namespace geargraph

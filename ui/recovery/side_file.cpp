@@ -11,7 +11,7 @@
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph::inline recovery {
+namespace geargraph {
 namespace {
 
 constexpr const char* kMember = "autosave";
@@ -130,4 +130,4 @@ SideFiles recoverableFiles(const QString& folder, const QStringList& documents) 
   return held;
 }
 
-}  // namespace geargraph::inline recovery
+}  // namespace geargraph

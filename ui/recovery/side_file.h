@@ -10,7 +10,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline recovery {
+namespace geargraph {
 
 /// The metadata of a side file.
 struct SideNote {
@@ -65,4 +65,4 @@ using SideFiles = std::vector<std::unique_ptr<SideFile>>;
 [[nodiscard]] SideFiles recoverableFilesOf(const QString& filePath, const QString& folder);
 [[nodiscard]] SideFiles recoverableFiles(const QString& folder, const QStringList& documents);
 
-}  // namespace geargraph::inline recovery
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace geargraph::inline ui_service {
+namespace geargraph {
 
 /// An object of a window that works on a background thread. A closing window requests the end of all of them
 /// and is destroyed once all have ended; in their destructors alone, the GUI thread would wait for one after
@@ -18,4 +18,4 @@ class BackgroundWork {
   [[nodiscard]] virtual bool hasStopped() const = 0;
 };
 
-}  // namespace geargraph::inline ui_service
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "ui/service/service_signals.h"
 #include "ui/service/turns.h"
 
-namespace geargraph::inline ui_service {
+namespace geargraph {
 
 template <class Request, class Answer>
 struct ServiceOptions {
@@ -44,7 +44,8 @@ class Service : public ServiceSignals {
             [this, ahead = std::move(options.ahead)](const Reply<Answer>& reply) {
               if (ahead && reply.answer) ahead(*reply.answer);
               QMetaObject::invokeMethod(
-                  this, [this, reply] { Turns::instance().later(this, [this, reply] { arrived(reply); }); },
+                  this,
+                  [this, reply] { GuiTaskQueue::instance().later(this, [this, reply] { arrived(reply); }); },
                   Qt::QueuedConnection);
             },
             options.urgency, options.superseded) {}
@@ -127,4 +128,4 @@ class Service : public ServiceSignals {
   Worker m_worker;  ///< last: stopped before the members it uses are destroyed
 };
 
-}  // namespace geargraph::inline ui_service
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "ui/service/background_work.h"
 
-namespace geargraph::inline ui_service {
+namespace geargraph {
 
 /// The signals of every Service, because a class template cannot declare signals.
 class ServiceSignals : public QObject, public BackgroundWork {
@@ -21,4 +21,4 @@ class ServiceSignals : public QObject, public BackgroundWork {
   void failed(const QString& why);
 };
 
-}  // namespace geargraph::inline ui_service
+}  // namespace geargraph

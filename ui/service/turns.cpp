@@ -4,7 +4,7 @@
 #include <QEvent>
 #include <utility>
 
-namespace geargraph::inline ui_service {
+namespace geargraph {
 namespace {
 
 QEvent::Type turnType() {
@@ -14,13 +14,13 @@ QEvent::Type turnType() {
 
 }  // namespace
 
-Turns& Turns::instance() {
-  static QPointer<Turns> turns;
-  if (turns == nullptr) turns = new Turns(QCoreApplication::instance());
+GuiTaskQueue& GuiTaskQueue::instance() {
+  static QPointer<GuiTaskQueue> turns;
+  if (turns == nullptr) turns = new GuiTaskQueue(QCoreApplication::instance());
   return *turns;
 }
 
-Turns::Turns(QObject* application) : QObject(application) {
+GuiTaskQueue::GuiTaskQueue(QObject* application) : QObject(application) {
   m_turn.setInterval(0);
   m_turn.setSingleShot(true);
   // The loop may run timers twice before it delivers what has been posted; an event of low priority comes
@@ -29,31 +29,31 @@ Turns::Turns(QObject* application) : QObject(application) {
           [this] { QCoreApplication::postEvent(this, new QEvent(turnType()), Qt::LowEventPriority); });
 }
 
-void Turns::later(QObject* context, std::function<void()> piece) {
+void GuiTaskQueue::later(QObject* context, std::function<void()> piece) {
   m_waiting.push_back({context, std::move(piece)});
   begin();
 }
 
-void TurnOf::request() {
+void CoalescedTask::request() {
   if (std::exchange(m_isDue, true)) return;
-  Turns::instance().later(m_context, [this] {
+  GuiTaskQueue::instance().later(m_context, [this] {
     m_isDue = false;
     m_piece();
   });
 }
 
-void Turns::begin() {
+void GuiTaskQueue::begin() {
   if (!std::exchange(m_isUnderWay, true)) m_turn.start();
 }
 
-bool Turns::event(QEvent* event) {
+bool GuiTaskQueue::event(QEvent* event) {
   if (event->type() != turnType()) return QObject::event(event);
   m_isUnderWay = false;
   runNext();
   return true;
 }
 
-void Turns::runNext() {
+void GuiTaskQueue::runNext() {
   while (!m_waiting.empty()) {
     const Waiting next = std::move(m_waiting.front());
     m_waiting.pop_front();
@@ -63,6 +63,6 @@ void Turns::runNext() {
   }
 }
 
-}  // namespace geargraph::inline ui_service
+}  // namespace geargraph
 
 #include "moc_turns.cpp"

@@ -7,17 +7,17 @@
 #include <functional>
 #include <utility>
 
-namespace geargraph::inline ui_service {
+namespace geargraph {
 
 /// Pieces of work on the GUI thread, such as showing an answer, one per turn of the event loop: what the user
 /// does is handled between two of them, even if many are there at once. A piece gives way to all that is
 /// waiting when its turn comes.
-class Turns : public QObject {
+class GuiTaskQueue : public QObject {
   Q_OBJECT
 
  public:
   /// The instance of the application, created by the first call. @pre the thread is the application's
-  static Turns& instance();
+  static GuiTaskQueue& instance();
 
   /// Runs the piece in a later turn, in the order of the calls. It is dropped if its context is destroyed
   /// before.
@@ -32,7 +32,7 @@ class Turns : public QObject {
     std::function<void()> piece;
   };
 
-  explicit Turns(QObject* application);
+  explicit GuiTaskQueue(QObject* application);
 
   void begin();
   void runNext();
@@ -43,10 +43,11 @@ class Turns : public QObject {
 };
 
 /// A piece of work that an object asks for again and again and that one later turn does for all of them.
-class TurnOf {
+class CoalescedTask {
  public:
   /// @param context the object that owns this
-  TurnOf(QObject* context, std::function<void()> piece) : m_context(context), m_piece(std::move(piece)) {}
+  CoalescedTask(QObject* context, std::function<void()> piece)
+      : m_context(context), m_piece(std::move(piece)) {}
 
   /// Runs the piece in a later turn, unless one is due already. The piece may ask for the next one.
   void request();
@@ -58,4 +59,4 @@ class TurnOf {
   bool m_isDue = false;
 };
 
-}  // namespace geargraph::inline ui_service
+}  // namespace geargraph

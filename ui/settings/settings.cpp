@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-namespace geargraph::inline settings {
+namespace geargraph {
 namespace {
 
 class SettingsWriter {
@@ -114,4 +114,4 @@ void flushSettings() {
   SettingsWriter::instance().flush();
 }
 
-}  // namespace geargraph::inline settings
+}  // namespace geargraph

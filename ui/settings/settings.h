@@ -5,7 +5,7 @@
 #include <QVariant>
 #include <functional>
 
-namespace geargraph::inline settings {
+namespace geargraph {
 
 // The settings of the program, which QSettings keeps in a file. A QSettings writes on the thread that changes
 // it, and waits until the disk has the file: 20 to 130 ms. Here a thread of its own does so. Nothing waits
@@ -25,4 +25,4 @@ void changeSettings(const QString& group, std::function<void(QSettings& settings
 /// Blocks until everything saved before is in the file. Called at the end of the program.
 void flushSettings();
 
-}  // namespace geargraph::inline settings
+}  // namespace geargraph

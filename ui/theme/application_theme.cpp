@@ -10,7 +10,7 @@
 #include "ui/theme/program_style.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 constexpr std::pair<Theme, const char*> kThemeNames[] = {
@@ -40,11 +40,11 @@ void followSystemTheme() {
 }
 
 Theme systemTheme() {
-  if (!knownSystemTheme) renewSystemTheme();
+  if (!knownSystemTheme) updateSystemTheme();
   return *knownSystemTheme;
 }
 
-void renewSystemTheme() {
+void updateSystemTheme() {
   // The palette that was set hides the system's, which comes back when nothing is set.
   const QPalette set = QGuiApplication::palette();
   if (set.resolveMask() != 0) QGuiApplication::setPalette(QPalette());
@@ -75,7 +75,7 @@ void applyTheme(QApplication& application, Theme theme, double typeScale, bool i
     application.setStyle(new ProgramStyle);
     application.setProperty(kStyledProperty, true);
   }
-  PaintingInParts::instance().change(paletteOf(theme), isLaidOutNext);
+  IncrementalRestyle::instance().change(paletteOf(theme), isLaidOutNext);
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

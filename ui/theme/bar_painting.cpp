@@ -8,7 +8,7 @@
 #include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 void drawLineBelow(const QStyleOption& option, QPainter& painter) {
@@ -118,4 +118,4 @@ QPalette menuInks(const QStyleOptionMenuItem& option) {
   return inks;
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -10,7 +10,7 @@ class QStyleOptionMenuItem;
 class QStyleOptionTab;
 class QWidget;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 constexpr int kTabPadding = 13, kTabPaddingAbove = 6, kTabMark = 2;
 constexpr int kDockTitlePadding = 16;
@@ -32,4 +32,4 @@ void drawMenuItemGround(const QStyleOptionMenuItem& option, QPainter& painter);
 /// The palette for an item whose ground has been drawn.
 [[nodiscard]] QPalette menuInks(const QStyleOptionMenuItem& option);
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 constexpr ButtonForm kToolBarForm = {{11, 6, 11, 6}, 0, 0, 5};
@@ -146,7 +146,7 @@ void drawPushButtonGround(const QStyle& style, const QStyleOptionButton& option,
   const Theme theme = themeOf(option.palette);
   const auto color = [theme](ColorRole role) { return qColor(role, theme); };
   const bool isDefault = (option.features & QStyleOptionButton::DefaultButton) != 0;
-  Box box{color(ColorRole::sheet), color(ColorRole::hairline), pushButtonForm(look).radius};
+  StyleBox box{color(ColorRole::sheet), color(ColorRole::hairline), pushButtonForm(look).radius};
   if (!hasState(option, QStyle::State_Enabled)) {
     box.filling = color(ColorRole::panel);
   } else {
@@ -165,4 +165,4 @@ void drawPushButtonGround(const QStyle& style, const QStyleOptionButton& option,
   style.drawPrimitive(QStyle::PE_IndicatorArrowDown, &arrow, &painter);
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -9,7 +9,7 @@ class QPainter;
 class QStyleOptionButton;
 class QStyleOptionToolButton;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// The buttons that the program paints itself: those of tool bars, and those with a look.
 struct ButtonForm {
@@ -31,4 +31,4 @@ void drawToolButton(const QStyle& style, const QStyleOptionToolButton& option, Q
 void drawPushButtonGround(const QStyle& style, const QStyleOptionButton& option, QPainter& painter,
                           Look look);
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

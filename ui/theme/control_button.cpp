@@ -1,6 +1,6 @@
 #include "ui/theme/control_button.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 QToolButton* controlButton(const QString& name, const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -11,4 +11,4 @@ QToolButton* controlButton(const QString& name, const QString& text, const QStri
   return button;
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "ui/theme/empty_label.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 QLabel* emptyLabel(QWidget* parent, const QString& text) {
   auto* label = new QLabel(text, parent);
@@ -10,4 +10,4 @@ QLabel* emptyLabel(QWidget* parent, const QString& text) {
   return label;
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

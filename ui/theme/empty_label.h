@@ -2,9 +2,9 @@
 
 #include <QLabel>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// Creates the label, owned by `parent`, that a panel shows in its centre while it is empty.
 [[nodiscard]] QLabel* emptyLabel(QWidget* parent, const QString& text = {});
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

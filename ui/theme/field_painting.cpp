@@ -10,14 +10,14 @@
 #include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 constexpr int kStepperWidth = 16;
 constexpr int kDropDownWidth = 20;
 
 /// The ground of a field that has a value.
-Box fieldBox(const QStyleOption& option) {
+StyleBox fieldBox(const QStyleOption& option) {
   const Theme theme = themeOf(option.palette);
   const bool isEnabled = hasState(option, QStyle::State_Enabled);
   const bool isFocused = isEnabled && hasState(option, QStyle::State_HasFocus);
@@ -41,7 +41,7 @@ QMargins lineEditMargins(const QWidget* field) {
 void drawLineEdit(const QStyleOptionFrame& option, QPainter& painter, const QWidget* field) {
   if (option.lineWidth <= 0) return painter.fillRect(option.rect, option.palette.color(QPalette::Base));
   const Theme theme = themeOf(option.palette);
-  Box box = fieldBox(option);
+  StyleBox box = fieldBox(option);
   const QString mark = field != nullptr ? field->property("mark").toString() : QString();
   if (mark == QLatin1String("wrong")) {
     box.edge = qColor(ColorRole::error, theme);
@@ -74,7 +74,7 @@ QRect spinBoxPart(const QStyleOptionSpinBox& option, QStyle::SubControl part) {
 
 void drawSpinBox(const QStyle& style, const QStyleOptionSpinBox& option, QPainter& painter,
                  const QWidget* field) {
-  Box box = fieldBox(option);
+  StyleBox box = fieldBox(option);
   if (field != nullptr && field->property("wrong").toBool())
     box.edge = qColor(ColorRole::error, themeOf(option.palette));
   drawBox(painter, option.rect, box);
@@ -189,4 +189,4 @@ void drawSlider(const QStyleOptionSlider& option, QPainter& painter) {
   drawBox(painter, handle, {filling, edge, kSliderHandle / 2.0 - 1, 2});
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -11,7 +11,7 @@ class QStyleOptionSlider;
 class QStyleOptionSpinBox;
 class QWidget;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// Edge and padding of fields, those of spin boxes and combo boxes with their buttons.
 [[nodiscard]] QMargins lineEditMargins(const QWidget* field);
@@ -39,4 +39,4 @@ void drawScrollBar(const QStyleOptionSlider& option, QPainter& painter, const QW
 [[nodiscard]] QRect sliderPart(const QStyleOptionSlider& option, QStyle::SubControl part);
 void drawSlider(const QStyleOptionSlider& option, QPainter& painter);
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <QEvent>
 #include <algorithm>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 FoldingBar::FoldingBar(QWidget* first, QWidget* second, QWidget* parent)
     : QWidget(parent),
@@ -46,6 +46,6 @@ bool FoldingBar::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph
 
 #include "moc_folding_bar.cpp"

@@ -4,7 +4,7 @@
 
 class QBoxLayout;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// Two groups of controls: one row where it is wide enough for both, otherwise the second below the first, so
 /// that a panel need not be wider than the wider group.
@@ -30,4 +30,4 @@ class FoldingBar : public QWidget {
   QBoxLayout* m_layout;
 };
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

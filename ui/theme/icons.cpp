@@ -13,7 +13,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 /// @param side in pixels of the device
@@ -144,4 +144,4 @@ QIcon applicationIcon() {
   return result;
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// An icon of resources/icons in a colour of the theme, which replaces `currentColor` in the SVG.
 [[nodiscard]] QIcon icon(const QString& name, ColorRole role, Theme theme);
@@ -20,4 +20,4 @@ namespace geargraph::inline theme {
 /// The icon of the program.
 [[nodiscard]] QIcon applicationIcon();
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 bool isInSight(const QWidget& widget) {
   if (!widget.isVisible()) return false;
@@ -12,4 +12,4 @@ bool isInSight(const QWidget& widget) {
   return !seen.isEmpty();
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "ui/theme/laid_out_at_once.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 LaidOutAtOnce::LaidOutAtOnce(QWidget* list) : m_list(list), m_wasShown(!list->isHidden()) {
   m_list->hide();
@@ -16,4 +16,4 @@ void removeFrom(QLayout& list, QWidget* control) {
   control->deleteLater();
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

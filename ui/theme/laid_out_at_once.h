@@ -3,7 +3,7 @@
 #include <QLayout>
 #include <QWidget>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// While it lives, a list of controls is hidden, so that rows can be added to its layout; at its end all are
 /// shown together. A control that is added to a visible list is shown in an event of its own, in which Qt
@@ -25,4 +25,4 @@ class LaidOutAtOnce {
 /// change that it is removed for may come from itself. Being hidden, it commits what has been typed.
 void removeFrom(QLayout& list, QWidget* control);
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 constexpr std::pair<const char*, Look> kLooks[] = {
@@ -118,7 +118,7 @@ void setInk(QLabel& label, ColorRole role) {
   applyInk(label, role);
 }
 
-void renewLooks(QWidget& root) {
+void updateLooks(QWidget& root) {
   if (root.testAttribute(Qt::WA_WState_Polished)) applyLook(root);
   for (QWidget* widget : root.findChildren<QWidget*>()) {
     if (widget->testAttribute(Qt::WA_WState_Polished)) applyLook(*widget);
@@ -142,7 +142,7 @@ bool hasState(const QStyleOption& option, QStyle::StateFlag flag) {
   return (option.state & flag) != 0;
 }
 
-void drawBox(QPainter& painter, const QRect& area, const Box& box) {
+void drawBox(QPainter& painter, const QRect& area, const StyleBox& box) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(box.filling.isValid() ? QBrush(box.filling) : QBrush(Qt::NoBrush));
@@ -185,4 +185,4 @@ void drawFrameOf(Look look, QPainter& painter, const QStyleOption& option) {
   }
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -12,7 +12,7 @@ class QRect;
 class QStyleOption;
 class QWidget;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// How a widget differs from others of its class, by its property "look".
 enum class Look {
@@ -50,7 +50,7 @@ void applyLook(QWidget& widget);
 void setInk(QLabel& label, ColorRole role);
 
 /// Applies the looks of a window and all in it again, for another theme or another type scale.
-void renewLooks(QWidget& root);
+void updateLooks(QWidget& root);
 
 /// The ground of what is chosen: the halo, thinned with the sheet so that type on it stays readable.
 [[nodiscard]] QColor chosenColor(Theme theme);
@@ -59,15 +59,15 @@ void renewLooks(QWidget& root);
 [[nodiscard]] bool hasState(const QStyleOption& option, QStyle::StateFlag flag);
 
 /// A rectangle with round corners.
-struct Box {
+struct StyleBox {
   QColor filling;
   QColor edge;
   double radius = 4;
   double edgeWidth = 1;
 };
-void drawBox(QPainter& painter, const QRect& area, const Box& box);
+void drawBox(QPainter& painter, const QRect& area, const StyleBox& box);
 
 /// What a frame or a label with a look stands on; nothing for other looks.
 void drawFrameOf(Look look, QPainter& painter, const QStyleOption& option);
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -14,7 +14,7 @@
 #include "ui/theme/looks.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 bool isMainWindow(const QWidget* widget) {
@@ -65,29 +65,29 @@ void dress(QWidget& widget) {
 void follow(QWidget& widget) {
   if (!widget.testAttribute(Qt::WA_WState_Polished)) return;  // it is dressed then
   dress(widget);
-  renewLooks(widget);
+  updateLooks(widget);
 }
 
 }  // namespace
 
-PaintingInParts& PaintingInParts::instance() {
-  static QPointer<PaintingInParts> instance;
-  if (instance == nullptr) instance = new PaintingInParts(qApp);
+IncrementalRestyle& IncrementalRestyle::instance() {
+  static QPointer<IncrementalRestyle> instance;
+  if (instance == nullptr) instance = new IncrementalRestyle(qApp);
   return *instance;
 }
 
-void PaintingInParts::dressPart(QWidget& widget) {
+void IncrementalRestyle::dressPart(QWidget& widget) {
   const bool isPart = isMainWindow(widget.parentWidget()) && (!widget.isWindow() || isDock(&widget));
   if (isPart || isMainWindow(&widget)) dress(widget);
 }
 
-void PaintingInParts::hold(QWidget& part) {
+void IncrementalRestyle::hold(QWidget& part) {
   if (std::find(m_waiting.begin(), m_waiting.end(), &part) != m_waiting.end()) return;
   if (part.isVisible()) part.setUpdatesEnabled(false);
   m_waiting.emplace_back(&part);
 }
 
-void PaintingInParts::change(const QPalette& palette, bool isLaidOutNext) {
+void IncrementalRestyle::change(const QPalette& palette, bool isLaidOutNext) {
   if (QFont font = QApplication::font(); font.pixelSize() != bodyPixels()) {
     font.setPixelSize(bodyPixels());
     QApplication::setFont(font);
@@ -97,7 +97,7 @@ void PaintingInParts::change(const QPalette& palette, bool isLaidOutNext) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationPaletteChange);
   for (QWidget* top : QApplication::topLevelWidgets()) {
     if (!isMainWindow(top)) {
-      if (!isDock(top)) renewLooks(*top);
+      if (!isDock(top)) updateLooks(*top);
       continue;
     }
     for (QWidget* part : partsOf(*top)) {
@@ -114,7 +114,7 @@ void PaintingInParts::change(const QPalette& palette, bool isLaidOutNext) {
   if (!isSettled()) m_turn.request();
 }
 
-void PaintingInParts::goOn() {
+void IncrementalRestyle::goOn() {
   while (!m_waiting.empty()) {
     const QPointer<QWidget> part = m_waiting.front();
     m_waiting.pop_front();
@@ -126,6 +126,6 @@ void PaintingInParts::goOn() {
   if (!isSettled()) m_turn.request();
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph
 
 #include "moc_painting_in_parts.cpp"

@@ -9,18 +9,18 @@
 class QPalette;
 class QWidget;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// Changes the palette and the font of the application, and lets the parts of its windows (docks, bars, the
 /// centre) follow one per turn of the event loop: 5 to 20 ms each for the events, the layout and the
 /// painting, where all of a window takes 50, and four windows as often. So parts have a palette and a font of
 /// their own: those of the application would change in all at once.
-class PaintingInParts : public QObject {
+class IncrementalRestyle : public QObject {
   Q_OBJECT
 
  public:
   /// The instance of the application, created by the first call.
-  static PaintingInParts& instance();
+  static IncrementalRestyle& instance();
 
   /// Gives a widget the palette of the application and the font of body text if it is a main window or a part
   /// of one.
@@ -38,7 +38,7 @@ class PaintingInParts : public QObject {
   void goOn();
 
   std::deque<QPointer<QWidget>> m_waiting;  ///< parts that have not followed or are not painted
-  TurnOf m_turn{this, [this] { goOn(); }};
+  CoalescedTask m_turn{this, [this] { goOn(); }};
 };
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <QMouseEvent>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 void PlainTextField::mousePressEvent(QMouseEvent* event) {
   // With Shift the selection is extended; Qt drags only without.
@@ -15,6 +15,6 @@ void PlainTextField::mousePressEvent(QMouseEvent* event) {
   QPlainTextEdit::mousePressEvent(event);
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph
 
 #include "moc_plain_text_field.cpp"

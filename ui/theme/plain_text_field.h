@@ -2,7 +2,7 @@
 
 #include <QPlainTextEdit>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// A field for some lines of text that cannot be dragged with the mouse: a drag runs an event loop inside the
 /// field's own mouse event, in which an edit or the loss of the focus may delete the field. Pressing on
@@ -17,4 +17,4 @@ class PlainTextField : public QPlainTextEdit {
   void mousePressEvent(QMouseEvent* event) override;
 };
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -27,7 +27,7 @@
 #include "ui/theme/painting_in_parts.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 constexpr int kTipMargin = 6;
@@ -210,7 +210,7 @@ QIcon ProgramStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* opti
 
 void ProgramStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
-  PaintingInParts::dressPart(*widget);
+  IncrementalRestyle::dressPart(*widget);
   applyLook(*widget);
   setGround(*widget);
   const QString tip = widget->toolTip();
@@ -405,6 +405,6 @@ void ProgramStyle::drawComplexControl(ComplexControl control, const QStyleOption
   QProxyStyle::drawComplexControl(control, option, painter, widget);
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph
 
 #include "moc_program_style.cpp"

@@ -4,7 +4,7 @@
 #include <QIcon>
 #include <QProxyStyle>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// The Fusion style in the colours and forms of the program: bars, tabs, menus, buttons, fields, indicators
 /// and what has a look (Look). They are drawn from the palette: with a style sheet, each change of the theme
@@ -42,4 +42,4 @@ class ProgramStyle : public QProxyStyle {
   mutable QHash<StandardPixmap, QIcon> m_standardIcons;
 };
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

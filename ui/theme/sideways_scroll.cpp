@@ -7,7 +7,7 @@
 #include "ui/theme/control_button.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 constexpr int kLeastWidth = 160;
 constexpr int kArrowWidth = 24;
@@ -81,6 +81,6 @@ QSize SidewaysScroll::minimumSizeHint() const {
   return {kLeastWidth, widget()->minimumSizeHint().height()};
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph
 
 #include "moc_sideways_scroll.cpp"

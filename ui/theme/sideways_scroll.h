@@ -4,7 +4,7 @@
 
 class QToolButton;
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// A strip of controls with its natural height that scrolls horizontally if it is too wide, so that it does
 /// not force a minimum width on a panel. An arrow at an edge beyond which there is more takes the place of a
@@ -31,4 +31,4 @@ class SidewaysScroll : public QScrollArea {
   QToolButton* m_right;
 };
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QVariant>
 
-namespace geargraph::inline theme {
+namespace geargraph {
 namespace {
 
 constexpr int kBodyPixels = 13;
@@ -69,4 +69,4 @@ void setTypeScale(double scale) {
   QCoreApplication::instance()->setProperty(kScaleProperty, scale);
 }
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline theme {
+namespace geargraph {
 
 /// A colour of core's palette for a widget.
 [[nodiscard]] QColor qColor(Color color);
@@ -26,4 +26,4 @@ namespace geargraph::inline theme {
 /// Sets the type scale of the functions above.
 void setTypeScale(double scale);
 
-}  // namespace geargraph::inline theme
+}  // namespace geargraph

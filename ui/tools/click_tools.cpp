@@ -1,6 +1,6 @@
 #include "ui/tools/click_tools.h"
 
-namespace geargraph::inline tools {
+namespace geargraph {
 namespace link_tool {
 namespace {
 
@@ -111,4 +111,4 @@ Outcome<State> on(const State& state, const ToolEvent& event) {
 }
 
 }  // namespace pan_tool
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

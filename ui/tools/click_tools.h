@@ -2,7 +2,7 @@
 
 #include "ui/tools/tool.h"
 
-namespace geargraph::inline tools {
+namespace geargraph {
 
 /// Draws links: click on an empty area.
 ///
@@ -12,10 +12,10 @@ namespace link_tool {
 
 /// `place`: the mouse position if over an empty area, where a link would be added.
 struct Hovering {
-  std::optional<SheetPoint> place;
+  std::optional<CanvasPoint> place;
 };
 struct Placing {
-  SheetPoint place;
+  CanvasPoint place;
 };
 using State = std::variant<Hovering, Placing>;
 
@@ -60,11 +60,11 @@ namespace pan_tool {
 
 struct Idle {};
 struct Panning {
-  SheetPoint grabbed;
+  CanvasPoint grabbed;
 };
 using State = std::variant<Idle, Panning>;
 
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
 
 }  // namespace pan_tool
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "ui/tools/joint_tool.h"
 
-namespace geargraph::inline tools::joint_tool {
+namespace geargraph::joint_tool {
 namespace {
 
 LinkId linkUnder(const Pointer& pointer) {
@@ -56,4 +56,4 @@ Outcome<State> on(const State& state, const ToolEvent& event, ElementKind kind) 
   return std::visit(Transition{kind}, state, event);
 }
 
-}  // namespace geargraph::inline tools::joint_tool
+}  // namespace geargraph::joint_tool

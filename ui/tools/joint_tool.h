@@ -11,24 +11,24 @@
 ///     Picked --press another link--> Idle + AddJoint
 ///     Picked --press anything else--> Idle
 ///     any --Esc--> Idle
-namespace geargraph::inline tools::joint_tool {
+namespace geargraph::joint_tool {
 
 struct Idle {};
 /// The mouse button is down; the arrow follows the mouse.
 struct Dragging {
   LinkId tail;
   LinkId over;  ///< another link under the mouse, or empty
-  SheetPoint cursor;
+  CanvasPoint cursor;
 };
 /// The first link was clicked; the arrow follows the mouse with the button up.
 struct Picked {
   LinkId tail;
   LinkId over;
-  SheetPoint cursor;
+  CanvasPoint cursor;
 };
 using State = std::variant<Idle, Dragging, Picked>;
 
 /// The transition function. `kind`: turningJoint or gearMesh.
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event, ElementKind kind);
 
-}  // namespace geargraph::inline tools::joint_tool
+}  // namespace geargraph::joint_tool

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline tools::load_tool {
+namespace geargraph::load_tool {
 namespace {
 
 /// How far the mouse was pulled, in clicks' slops: the sheet's y points down.
-double pulled(SheetPoint from, const Pointer& pointer) {
+double pulled(CanvasPoint from, const Pointer& pointer) {
   return ((pointer.at.x - from.x) - (pointer.at.y - from.y)) / pointer.slop;
 }
 
-Step pull(const ElementId& element, SheetPoint from, const Pointer& pointer) {
+Step pull(const ElementId& element, CanvasPoint from, const Pointer& pointer) {
   const auto steps = static_cast<int>(std::lround(std::clamp(pulled(from, pointer), -1e4, 1e4)));
   return {Pulling{element, from}, PullTorque{element, steps, pointer.unsnapped}};
 }
@@ -26,7 +26,7 @@ struct Transition {
     return {Grabbed{*on, event.pointer.at}, {}};
   }
   Step operator()(const Grabbed& state, const Moved& event) const {
-    const SheetPoint way{event.pointer.at.x - state.from.x, event.pointer.at.y - state.from.y};
+    const CanvasPoint way{event.pointer.at.x - state.from.x, event.pointer.at.y - state.from.y};
     if (std::hypot(way.x, way.y) < event.pointer.slop) return {state, {}};
     return pull(state.element, state.from, event.pointer);
   }
@@ -59,4 +59,4 @@ std::string_view hint(const State& state) {
   return toTranslate("Load: to the right or upwards is more; Alt: tenths. Esc puts back");
 }
 
-}  // namespace geargraph::inline tools::load_tool
+}  // namespace geargraph::load_tool

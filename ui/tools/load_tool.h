@@ -12,7 +12,7 @@
 ///                                   |                  +--Esc------> Idle + TorquePutBack
 ///                                   +--release--> Idle + TypeTorque
 ///                                   +--Esc------> Idle
-namespace geargraph::inline tools::load_tool {
+namespace geargraph::load_tool {
 
 /// The torque is to be this many steps from its value when the mouse was pressed. A sequence of these is one
 /// gesture, ended by TorqueSet or TorquePutBack.
@@ -37,11 +37,11 @@ struct TypeTorque {
 struct Idle {};
 struct Grabbed {
   ElementId element;
-  SheetPoint from;
+  CanvasPoint from;
 };
 struct Pulling {
   ElementId element;
-  SheetPoint from;
+  CanvasPoint from;
 };
 using State = std::variant<Idle, Grabbed, Pulling>;
 
@@ -57,4 +57,4 @@ struct Step {
 /// What the user can do next, as a sentence for the status bar.
 [[nodiscard]] std::string_view hint(const State& state);
 
-}  // namespace geargraph::inline tools::load_tool
+}  // namespace geargraph::load_tool

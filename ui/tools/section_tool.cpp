@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "ui/tools/load_tool.h"
 
-namespace geargraph::inline tools::section_tool {
+namespace geargraph::section_tool {
 namespace {
 
 LinkId linkUnder(const Pointer& pointer) {
@@ -13,7 +13,7 @@ LinkId linkUnder(const Pointer& pointer) {
   return isLink ? LinkId(pointer.on->id) : LinkId();
 }
 
-bool wandered(SheetPoint from, const Pointer& pointer) {
+bool wandered(CanvasPoint from, const Pointer& pointer) {
   return std::hypot(pointer.at.x - from.x, pointer.at.y - from.y) > pointer.slop;
 }
 
@@ -122,4 +122,4 @@ std::optional<Draft> draft(const State& state) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline tools::section_tool
+}  // namespace geargraph::section_tool

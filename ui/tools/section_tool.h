@@ -14,27 +14,27 @@
 ///     any --Esc--> Idle
 ///
 /// A mesh released on no link is one with the ground. A click with Turning joint or Gear mesh adds nothing.
-namespace geargraph::inline tools::section_tool {
+namespace geargraph::section_tool {
 
 struct AddShaft {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   LinkId carrier;  ///< empty: the link that carries the axis
   friend bool operator==(const AddShaft&, const AddShaft&) = default;
 };
 struct MeshLinks {
   LinkId tail;
   LinkId head;  ///< empty: the ground
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   friend bool operator==(const MeshLinks&, const MeshLinks&) = default;
 };
 
 /// The axis follows the mouse. A sequence of these is one gesture, ended by AxisDropped or AxisPutBack.
 struct DragAxis {
   AxisId axis;
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   bool unsnapped = false;
   friend bool operator==(const DragAxis&, const DragAxis&) = default;
 };
@@ -47,27 +47,27 @@ struct AxisPutBack {
 
 struct Idle {};
 struct Shaft {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
 };
 struct Carried {
   LinkId carrier;
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
 };
 struct Meshing {
   LinkId tail;
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
 };
 struct Grabbed {
   AxisId axis;
-  SheetPoint from;
+  CanvasPoint from;
 };
 struct Dragging {
   AxisId axis;
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
 };
 using State = std::variant<Idle, Shaft, Carried, Meshing, Grabbed, Dragging>;
 
@@ -85,10 +85,10 @@ struct Step {
 
 /// The line being drawn; draft() returns std::nullopt while idle.
 struct Draft {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   enum class Style { shaft, connection, axis } style = Style::connection;
 };
 [[nodiscard]] std::optional<Draft> draft(const State& state);
 
-}  // namespace geargraph::inline tools::section_tool
+}  // namespace geargraph::section_tool

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-namespace geargraph::inline tools::select_tool {
+namespace geargraph::select_tool {
 namespace {
 
 bool isMovable(const ElementId& element) {
   return element.kind == ElementKind::link || element.kind == ElementKind::note;
 }
 
-bool isFar(SheetPoint from, const Pointer& to) {
+bool isFar(CanvasPoint from, const Pointer& to) {
   return std::hypot(to.at.x - from.x, to.at.y - from.y) > to.slop;
 }
 
@@ -70,4 +70,4 @@ Outcome<State> on(const State& state, const ToolEvent& event) {
   return std::visit(Transition{}, state, event);
 }
 
-}  // namespace geargraph::inline tools::select_tool
+}  // namespace geargraph::select_tool

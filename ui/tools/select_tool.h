@@ -14,21 +14,21 @@
 ///
 /// Pressing a link that is not selected selects it, so that a drag moves it; selected elements stay selected
 /// until the release, so that a drag moves all of them.
-namespace geargraph::inline tools::select_tool {
+namespace geargraph::select_tool {
 
 struct Idle {};
 struct Armed {
   ElementId on;
-  SheetPoint from;
+  CanvasPoint from;
   bool add = false;
   bool wasSelected = false;
 };
 struct Moving {
-  SheetPoint from;
+  CanvasPoint from;
 };
 struct Banding {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   bool add = false;
   bool wide = false;  ///< moved further than a click may
 };
@@ -36,4 +36,4 @@ using State = std::variant<Idle, Armed, Moving, Banding>;
 
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
 
-}  // namespace geargraph::inline tools::select_tool
+}  // namespace geargraph::select_tool

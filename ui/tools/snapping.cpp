@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-namespace geargraph::inline tools {
+namespace geargraph {
 namespace {
 
 /// The line that moved nodes are pulled onto, and how far.
@@ -23,14 +23,14 @@ struct Pull {
 
 /// Of all pairs of a moved and a resting node, the least correction in one coordinate: only the neighbours of
 /// a node among the sorted lines can give it.
-Pull nearestLine(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting,
-                 double SheetPoint::*coordinate, double shift, double reach) {
+Pull nearestLine(std::span<const CanvasPoint> moving, std::span<const CanvasPoint> resting,
+                 double CanvasPoint::*coordinate, double shift, double reach) {
   std::vector<double> lines;
   lines.reserve(resting.size());
-  for (const SheetPoint& node : resting) lines.push_back(node.*coordinate);
+  for (const CanvasPoint& node : resting) lines.push_back(node.*coordinate);
   std::sort(lines.begin(), lines.end());
   Pull pull;
-  for (const SheetPoint& node : moving) {
+  for (const CanvasPoint& node : moving) {
     const double at = node.*coordinate + shift;
     const auto next = std::lower_bound(lines.begin(), lines.end(), at);
     if (next != lines.end()) pull.consider(at, *next, reach);
@@ -41,15 +41,15 @@ Pull nearestLine(std::span<const SheetPoint> moving, std::span<const SheetPoint>
 
 }  // namespace
 
-Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting, double dx, double dy,
+Snap snapped(std::span<const CanvasPoint> moving, std::span<const CanvasPoint> resting, double dx, double dy,
              double reach) {
-  const Pull toColumn = nearestLine(moving, resting, &SheetPoint::x, dx, reach);
-  const Pull toRow = nearestLine(moving, resting, &SheetPoint::y, dy, reach);
+  const Pull toColumn = nearestLine(moving, resting, &CanvasPoint::x, dx, reach);
+  const Pull toRow = nearestLine(moving, resting, &CanvasPoint::y, dy, reach);
   return {dx + toColumn.correction, dy + toRow.correction, toColumn.line, toRow.line};
 }
 
-SheetPoint onGrid(SheetPoint point, double step) {
+CanvasPoint onGrid(CanvasPoint point, double step) {
   return {step * std::round(point.x / step), step * std::round(point.y / step)};
 }
 
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

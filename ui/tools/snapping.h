@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline tools {
+namespace geargraph {
 
 /// The snapped displacement of a drag, and the lines that it snapped to.
 struct Snap {
@@ -18,10 +18,10 @@ struct Snap {
 
 /// Snaps the displacement (dx, dy) so that a moved node aligns with the nearest row and column of a fixed
 /// node, if at most `reach` away. `moving`: places before the drag. Cost: O((moving + resting) log resting).
-[[nodiscard]] Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting, double dx,
-                           double dy, double reach);
+[[nodiscard]] Snap snapped(std::span<const CanvasPoint> moving, std::span<const CanvasPoint> resting,
+                           double dx, double dy, double reach);
 
 /// The nearest point of a square grid of this step through the origin.
-[[nodiscard]] SheetPoint onGrid(SheetPoint point, double step);
+[[nodiscard]] CanvasPoint onGrid(CanvasPoint point, double step);
 
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/base/id.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline tools {
+namespace geargraph {
 
 /// The tools of the drawings, in the order of the tool bar.
 enum class ToolKind { select, link, turningJoint, gearMesh, input, load, note, pan };
@@ -22,7 +22,7 @@ constexpr int kToolCount = static_cast<int>(ToolKind::pan) + 1;
 
 /// The mouse as a tool sees it, in sheet coordinates. Tools know no widget and no zoom.
 struct Pointer {
-  SheetPoint at;
+  CanvasPoint at;
   std::optional<ElementId> on;  ///< the topmost element under the mouse
   bool onSelected = false;      ///< that element is selected
   bool add = false;             ///< Shift or Ctrl: adds to the selection
@@ -57,8 +57,8 @@ struct ClearSelection {
 };
 /// Selects everything inside the rectangle; `add` keeps the current selection.
 struct SelectInside {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   bool add = false;
   friend bool operator==(const SelectInside&, const SelectInside&) = default;
 };
@@ -77,7 +77,7 @@ struct MoveCancelled {
   friend bool operator==(const MoveCancelled&, const MoveCancelled&) = default;
 };
 struct AddLink {
-  SheetPoint at;
+  CanvasPoint at;
   friend bool operator==(const AddLink&, const AddLink&) = default;
 };
 /// A turning joint or a gear mesh.
@@ -94,7 +94,7 @@ struct ToggleInput {
 };
 /// Opens the editor for a new note centred at `at`, or for the note that was clicked.
 struct WriteNote {
-  SheetPoint at;
+  CanvasPoint at;
   std::optional<NoteId> note;
   friend bool operator==(const WriteNote&, const WriteNote&) = default;
 };
@@ -117,8 +117,8 @@ struct Outcome {
 
 /// The rectangle that a rubber band spans.
 struct RubberBand {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   friend bool operator==(const RubberBand&, const RubberBand&) = default;
 };
 
@@ -127,7 +127,7 @@ struct ArrowDraft {
   ElementKind kind = ElementKind::turningJoint;
   LinkId tail;
   LinkId head;  ///< empty while the mouse is over no other link
-  SheetPoint cursor;
+  CanvasPoint cursor;
   friend bool operator==(const ArrowDraft&, const ArrowDraft&) = default;
 };
 
@@ -141,4 +141,4 @@ struct JointPreview {
   friend bool operator==(const JointPreview&, const JointPreview&) = default;
 };
 
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

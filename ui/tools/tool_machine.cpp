@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline tools {
+namespace geargraph {
 namespace {
 
 ElementKind jointKind(ToolKind tool) {
@@ -151,11 +151,11 @@ std::optional<ArrowDraft> ToolMachine::arrowDraft() const {
   return std::nullopt;
 }
 
-std::optional<SheetPoint> ToolMachine::linkDraft() const {
+std::optional<CanvasPoint> ToolMachine::linkDraft() const {
   const auto* link = std::get_if<link_tool::State>(&m_state);
   if (link == nullptr) return std::nullopt;
   if (const auto* placing = std::get_if<link_tool::Placing>(link)) return placing->place;
   return std::get<link_tool::Hovering>(*link).place;
 }
 
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "ui/tools/load_tool.h"
 #include "ui/tools/select_tool.h"
 
-namespace geargraph::inline tools {
+namespace geargraph {
 
 /// A tool with its current state: passes events to the tool's transition function and gives what to show.
 class ToolMachine {
@@ -23,7 +23,7 @@ class ToolMachine {
   [[nodiscard]] std::optional<RubberBand> rubberBand() const;
   [[nodiscard]] std::optional<ArrowDraft> arrowDraft() const;
   /// Where a click would now add a link.
-  [[nodiscard]] std::optional<SheetPoint> linkDraft() const;
+  [[nodiscard]] std::optional<CanvasPoint> linkDraft() const;
 
  private:
   using State = std::variant<select_tool::State, link_tool::State, joint_tool::State, input_tool::State,
@@ -34,4 +34,4 @@ class ToolMachine {
   State m_state;
 };
 
-}  // namespace geargraph::inline tools
+}  // namespace geargraph

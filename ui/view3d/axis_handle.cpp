@@ -7,11 +7,11 @@
 #include <QPainterPath>
 #include <utility>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kHandleSide = 30;
-constexpr double kDiscRadius = 11;
+constexpr double kHandleRadius = 11;
 
 }  // namespace
 
@@ -43,11 +43,11 @@ void AxisHandle::paintEvent(QPaintEvent*) {
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(middle, kDiscRadius + 3, kDiscRadius + 3);
+    painter.drawEllipse(middle, kHandleRadius + 3, kHandleRadius + 3);
   }
   painter.setPen(QPen(accent, 2));
   painter.setBrush(m_isDragged ? accent : palette().color(QPalette::Base));
-  painter.drawEllipse(middle, kDiscRadius, kDiscRadius);
+  painter.drawEllipse(middle, kHandleRadius, kHandleRadius);
   const QColor ink = m_isDragged ? palette().color(QPalette::HighlightedText) : accent;
   painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
@@ -122,6 +122,6 @@ void AxisHandle::focusOutEvent(QFocusEvent* event) {
   update();
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_axis_handle.cpp"

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The handle of an axis in the 3D view: a disc on the axis that is dragged, or moved by the arrow keys while
 /// it has the focus. It works in pixels only.
@@ -41,4 +41,4 @@ class AxisHandle final : public QWidget {
   bool m_isDragged = false;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "ui/view3d/axis_handle.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 AxisHold::AxisHold(Viewer* viewer, Selection* selection, QWidget* view)
     : QObject(view), m_viewer(viewer), m_selection(selection), m_view(view), m_handle(new AxisHandle(view)) {
@@ -24,7 +24,7 @@ AxisHold::AxisHold(Viewer* viewer, Selection* selection, QWidget* view)
 /// What a pixel is stays as it was then, though the picture may change meanwhile.
 void AxisHold::grab() {
   emit grabbed();
-  const StageLabel* const label = heldLabel();
+  const SceneLabel* const label = heldLabel();
   const std::optional<ScreenPoint> at = place();
   if (label == nullptr || !at) return;
   const Camera& camera = m_viewer->camera();
@@ -40,19 +40,19 @@ AxisPull AxisHold::pullBy(const QPointF& way, bool isFree) const {
   return {m_held, {moved.x(), moved.y(), moved.z()}, isFree};
 }
 
-const StageLabel* AxisHold::heldLabel() const {
+const SceneLabel* AxisHold::heldLabel() const {
   const std::set<ElementId>& selected = m_selection->selected();
   if (selected.size() != 1 || m_viewer->stage() == nullptr) return nullptr;
   const ElementId element = *selected.begin();
   if (element.kind != ElementKind::axis && element.kind != ElementKind::turningJoint) return nullptr;
-  const std::vector<StageLabel>& labels = m_viewer->stage()->labels;
+  const std::vector<SceneLabel>& labels = m_viewer->stage()->labels;
   const auto found = std::find_if(labels.begin(), labels.end(),
-                                  [&](const StageLabel& label) { return label.element == element; });
+                                  [&](const SceneLabel& label) { return label.element == element; });
   return found == labels.end() ? nullptr : &*found;
 }
 
 std::optional<ScreenPoint> AxisHold::place() const {
-  const StageLabel* const label = heldLabel();
+  const SceneLabel* const label = heldLabel();
   if (label == nullptr || label->instance >= m_viewer->poses().size()) return std::nullopt;
   const ScreenPoint at =
       m_viewer->camera().project(m_viewer->poses()[label->instance] * label->place, m_viewer->viewport());
@@ -65,7 +65,7 @@ void AxisHold::renew() {
     if (!m_handle->isDragged()) m_handle->hide();  // a stage that comes in between may lack the axis
     return;
   }
-  const StageLabel& label = *heldLabel();
+  const SceneLabel& label = *heldLabel();
   const QString text = QString::fromStdString(label.text);
   m_handle->setName(label.kind == LabelKind::axis ? tr("axis %1").arg(text)
                                                   : tr("the axis of joint %1").arg(text));
@@ -82,6 +82,6 @@ bool AxisHold::takeFocus() {
   return true;
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_axis_hold.cpp"

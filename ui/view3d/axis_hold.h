@@ -7,7 +7,7 @@
 #include "ui/view3d/axis_pull.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 class AxisHandle;
 
@@ -35,7 +35,7 @@ class AxisHold final : public QObject {
   void renew();
   void grab();
   /// The label of the selected axis or joint, which is on the axis; null if no such element is selected.
-  [[nodiscard]] const StageLabel* heldLabel() const;
+  [[nodiscard]] const SceneLabel* heldLabel() const;
   [[nodiscard]] std::optional<ScreenPoint> place() const;
   [[nodiscard]] AxisPull pullBy(const QPointF& way, bool isFree) const;
 
@@ -50,4 +50,4 @@ class AxisHold final : public QObject {
   Eigen::Vector3d m_up = Eigen::Vector3d::Zero();
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

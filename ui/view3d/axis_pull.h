@@ -3,7 +3,7 @@
 #include "core/foundations/base/id.h"
 #include "core/foundations/base/triple.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// A requested displacement of an axis since it was grabbed, in the base frame and the reference pose.
 struct AxisPull {
@@ -12,4 +12,4 @@ struct AxisPull {
   bool isFree = false;  ///< Alt: no snapping
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

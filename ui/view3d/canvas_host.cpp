@@ -7,7 +7,7 @@
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/image_canvas.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 CanvasHost::CanvasHost(Viewer* viewer, LabelLayer* labels, QWidget* view)
     : QObject(view), m_viewer(viewer), m_labels(labels), m_view(view) {}
@@ -79,6 +79,6 @@ void CanvasHost::useImage(const QString& why) {
   emit started(m_image->isSoftware(), why);
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_canvas_host.cpp"

@@ -5,7 +5,7 @@
 
 class QWidget;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 class GlCanvas;
 class ImageCanvas;
@@ -51,4 +51,4 @@ class CanvasHost : public QObject {
   bool m_isDark = false;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -7,9 +7,9 @@
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 
-#include "core/presentation/painting/gl_renderer.h"
+#include "core/presentation/gl_renderer/gl_renderer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 /// Some platforms of Qt never give a QOpenGLWidget its context, and report no error.
@@ -52,4 +52,4 @@ const CanvasSurface& canvasSurface() {
   return chosen;
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// Where the 3D view is rendered: in an OpenGL window, or offscreen to an image.
 struct CanvasSurface {
@@ -15,4 +15,4 @@ struct CanvasSurface {
 /// overrides it. @pre a QGuiApplication exists
 [[nodiscard]] const CanvasSurface& canvasSurface();
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

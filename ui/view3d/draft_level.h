@@ -1,6 +1,6 @@
 #pragma once
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The level of simplification of draft frames in software rendering: 0 full detail, 1 without edges and with
 /// simple lighting, 2 also at half the resolution. Resolution is reduced last, since triangles and lines take
@@ -39,4 +39,4 @@ class DraftLevel {
   bool m_isFirst = true;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

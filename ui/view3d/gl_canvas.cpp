@@ -4,11 +4,11 @@
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 
-#include "core/presentation/painting/gl_renderer.h"
+#include "core/presentation/gl_renderer/gl_renderer.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/overlay_layer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     : QOpenGLWidget(parent), m_viewer(viewer), m_labels(labels), m_pace(viewer, labels, this) {
   QSurfaceFormat wanted = format();
@@ -74,7 +74,7 @@ void GlCanvas::paintGL() {
   const Viewport& viewport = m_viewer->viewport();
   const double ratio = m_viewer->pixelRatio();
   const Frame frame = m_viewer->frame(m_pace.isDraft());
-  std::optional<SeenMap> seen;
+  std::optional<VisibilityBuffer> seen;
   if (m_pace.takeMap()) {
     const Viewport cells = labelCells(viewport, ratio);
     seen = m_renderer->seen(m_viewer->frame(), cells.width, cells.height);
@@ -104,6 +104,6 @@ std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
   return hit;
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_gl_canvas.cpp"

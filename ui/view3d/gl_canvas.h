@@ -4,12 +4,12 @@
 #include <QOpenGLWidget>
 #include <memory>
 
-#include "core/presentation/painting/renderer.h"
+#include "core/presentation/gl_renderer/renderer.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The canvas that renders the viewer's frame by OpenGL in the window.
 ///
@@ -49,4 +49,4 @@ class GlCanvas : public QOpenGLWidget {
   QElapsedTimer m_picture;  ///< since the rendering of the frame began
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/overlay_layer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr double kFewerPixels = 0.7;  // of a side: half of all
@@ -95,7 +95,7 @@ void ImageCanvas::order(bool draft) {
   double scale = 1;
   if (draft) simplify(frame, scale, m_draftLevel.level());
   if (draft) m_isStep = m_ordered == nullptr || m_ordered->stage() != m_viewer->stage();
-  m_ordered = std::make_shared<const OwningFrame>(m_viewer->stage(), frame);
+  m_ordered = std::make_shared<const FrameSnapshot>(m_viewer->stage(), frame);
   if (draft) m_draft = m_ordered;
   PictureOrder order{m_ordered, scale, {}};
   // A map that has been superseded once is not put off again.
@@ -117,7 +117,7 @@ void ImageCanvas::rehearse() {
   frame.style.edges = frame.style.triad = false;
   std::vector<PictureOrder> orders;
   const auto add = [&] {
-    orders.push_back({std::make_shared<const OwningFrame>(m_viewer->stage(), frame), 1, {}});
+    orders.push_back({std::make_shared<const FrameSnapshot>(m_viewer->stage(), frame), 1, {}});
   };
   add();
   visibility.assign(visibility.size(), Visibility::solid);
@@ -135,7 +135,7 @@ void ImageCanvas::rehearse() {
 void ImageCanvas::deliver(PaintedPicture picture) {
   std::optional<Shown> shown;
   if (!picture.isMapAlone) shown = {picture.order.frame, screenImage(picture), picture.cost};
-  const StagePtr& stage = picture.order.frame->stage();
+  const MechanismScenePtr& stage = picture.order.frame->stage();
   {
     const std::lock_guard lock(m_mutex);
     if (shown) m_delivered = std::move(shown);
@@ -223,7 +223,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
 
 // The first picture of a train may have to wait for the driver: an empty area would say that there is none.
 bool ImageCanvas::isWaiting() const {
-  const auto hasBodies = [](const StagePtr& stage) {
+  const auto hasBodies = [](const MechanismScenePtr& stage) {
     return stage != nullptr && !stage->scene.instances.empty();
   };
   return m_thread != nullptr && hasBodies(m_viewer->stage()) &&
@@ -238,7 +238,7 @@ void ImageCanvas::paintWords(QPainter& painter, const QString& text) const {
 // Into the picture, once: what stands on it, buttons and a clock, has it painted again and again. A map holds
 // for later pictures too, of a train with the same parts.
 void ImageCanvas::addOverlay() {
-  const OwningFrame& kept = *m_shown.frame;
+  const FrameSnapshot& kept = *m_shown.frame;
   if (kept.stage() == nullptr) return;
   const Frame& frame = kept.frame();
   const std::optional<Map> map = std::exchange(m_map, std::nullopt);
@@ -263,7 +263,7 @@ void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor u
   if (m_shown.frame == nullptr || m_shown.frame->stage() != m_viewer->stage())
     return answer(std::nullopt);  // nothing is seen yet that could be meant
   const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
-  PictureQuestion question{std::make_shared<const OwningFrame>(m_viewer->stage(), frame),
+  PictureQuestion question{std::make_shared<const FrameSnapshot>(m_viewer->stage(), frame),
                            at.x(),
                            at.y(),
                            use == Viewer::PickFor::hover,
@@ -275,6 +275,6 @@ void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor u
   m_thread->ask(std::move(question));
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_image_canvas.cpp"

@@ -5,14 +5,14 @@
 #include <memory>
 #include <mutex>
 
-#include "core/presentation/stage/picture_thread.h"
+#include "core/presentation/scene3d/picture_thread.h"
 #include "ui/service/background_work.h"
 #include "ui/view3d/draft_level.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The canvas for software rendering, or where no OpenGL window is available: the viewer's frame is rendered
 /// offscreen on a background thread and shown as an image. So the window stays responsive, and OpenGL does
@@ -51,7 +51,7 @@ class ImageCanvas : public QWidget, public BackgroundWork {
     double cost = 0;
   };
   struct Map {
-    SeenMap seen;
+    VisibilityBuffer seen;
     std::size_t parts = 0;  ///< instances of its stage
   };
 
@@ -91,4 +91,4 @@ class ImageCanvas : public QWidget, public BackgroundWork {
   std::unique_ptr<PictureThread> m_thread;  ///< last: stopped before the members it uses are destroyed
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kTextSize = 12;
@@ -62,7 +62,7 @@ void drawLine(QPainter& painter, const LabelPlate& plate, const QColor& color, b
 }
 
 /// A link is a disc as in the digraph, a joint a square, an axis a rounded plate without a border.
-QImage plateImage(const StageLabel& label, QFont font, bool dark, double ratio) {
+QImage plateImage(const SceneLabel& label, QFont font, bool dark, double ratio) {
   const QString text = QString::fromStdString(label.text);
   const int side = 2 * static_cast<int>(std::ceil((kLabelRadius + 2) * ratio));
   QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
@@ -98,13 +98,13 @@ const std::vector<LabelPlate>& LabelLayer::place(const LabelGround& ground) {
   return m_plates = m_places.find(ground);
 }
 
-void LabelLayer::paint(QPainter& painter, const Stage& stage, bool dark) {
+void LabelLayer::paint(QPainter& painter, const MechanismScene& stage, bool dark) {
   const double ratio = ratioOf(painter);
   for (const LabelPlate& plate : m_plates) {
     if (plate.hasLine()) drawLine(painter, plate, colorOf(stage.labels[plate.label].colour), dark);
   }
   for (const LabelPlate& plate : m_plates) {
-    const StageLabel& label = stage.labels[plate.label];
+    const SceneLabel& label = stage.labels[plate.label];
     const QString key =
         QStringLiteral("%1 %2 %3 %4 %5 %6")
             .arg(QString::fromStdString(label.text), colorOf(label.colour).name(), painter.font().family())
@@ -126,4 +126,4 @@ QPointF LabelLayer::meant(const QPointF& place) const {
   return place;
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -6,11 +6,11 @@
 #include <QString>
 #include <vector>
 
-#include "core/presentation/stage/label_places.h"
+#include "core/presentation/scene3d/label_places.h"
 
 class QPainter;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The scale of labels, forces and the scale bar of the window; 1 at the normal font size.
 [[nodiscard]] double overlayScale();
@@ -38,7 +38,7 @@ class LabelLayer {
   const std::vector<LabelPlate>& place(const LabelGround& ground);
   /// Paints the placed labels. Plates and lines are painted from small images, because a QPainter on OpenGL
   /// does not antialias.
-  void paint(QPainter& painter, const Stage& stage, bool dark);
+  void paint(QPainter& painter, const MechanismScene& stage, bool dark);
   /// The place to pick for this place: that of the labelled part if a plate is there, else the place itself.
   /// Both in logical pixels of the window.
   [[nodiscard]] QPointF meant(const QPointF& place) const;
@@ -50,4 +50,4 @@ class LabelLayer {
   QHash<QString, QImage> m_images;   ///< by text, colours, font and pixel ratio
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -8,9 +8,9 @@
 
 #include "ui/view3d/motion_plot.h"
 #include "ui/view3d/view3d.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr double kSpanWithoutPeriod = 60;  // s
@@ -71,9 +71,9 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
     connect(plot, &MotionPlot::timeWanted, &view->playback(), &Playback::setTime);
     connect(&view->playback(), &Playback::timeChanged, plot, &MotionPlot::setTime);
   }
-  connect(selection, &Selection::selectionChanged, this, &MotionPanel::renewIfSeen);
-  connect(view, &View3D::contentChanged, this, &MotionPanel::renewIfSeen);
-  connect(m_components, &QCheckBox::toggled, this, &MotionPanel::renewIfSeen);
+  connect(selection, &Selection::selectionChanged, this, &MotionPanel::updateIfSeen);
+  connect(view, &View3D::contentChanged, this, &MotionPanel::updateIfSeen);
+  connect(m_components, &QCheckBox::toggled, this, &MotionPanel::updateIfSeen);
   connect(m_save, &QToolButton::clicked, this, &MotionPanel::fileWanted);
 }
 
@@ -86,12 +86,12 @@ void MotionPanel::showEvent(QShowEvent* event) {
   renew();
 }
 
-void MotionPanel::renewIfSeen() {
+void MotionPanel::updateIfSeen() {
   if (isVisible()) renew();
 }
 
 void MotionPanel::renew() {
-  const StagePtr& stage = m_view->stage();
+  const MechanismScenePtr& stage = m_view->stage();
   ++m_wanted;
   if (stage == nullptr) return arrived({}, m_wanted);
   const InputTrajectory* const along = trajectoryOf(*stage, m_view->view());
@@ -159,6 +159,6 @@ ViewEntry speedsView() {
           }};
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_motion_panel.cpp"

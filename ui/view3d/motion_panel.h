@@ -4,17 +4,17 @@
 
 #include "core/foundations/base/request_worker.h"
 #include "core/mechanism/model/mechanism.h"
-#include "core/presentation/stage/motion_curves.h"
-#include "ui/selection/selection.h"
+#include "core/presentation/scene3d/motion_curves.h"
+#include "ui/document/selection.h"
 #include "ui/service/background_work.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QCheckBox;
 class QLabel;
 class QToolButton;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 class MotionPlot;
 class View3D;
@@ -48,14 +48,14 @@ class MotionPanel : public QWidget, public ResultsView, public BackgroundWork {
 
  private:
   struct Request {
-    StagePtr stage;
-    StageView view;
+    MechanismScenePtr stage;
+    SceneView view;
     CurveChoice choice;
     quint64 number = 0;
   };
 
   void renew();
-  void renewIfSeen();
+  void updateIfSeen();
   void showSheets();
   [[nodiscard]] CurveSheet withNames(CurveSheet sheet) const;
   void arrived(std::vector<CurveSheet> sheets, quint64 number);
@@ -75,4 +75,4 @@ class MotionPanel : public QWidget, public ResultsView, public BackgroundWork {
 
 [[nodiscard]] ViewEntry speedsView();
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "ui/models/printed_number.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kLeft = 50, kTop = 24, kBelow = 34, kLegend = 160, kRight = 8;  // px at the normal type size
@@ -177,14 +177,14 @@ void MotionPlot::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (m_sheet.times.size() < 2) return;
-  renewPainted();
+  updatePainted();
   painter.drawPixmap(0, 0, m_painted.picture);
   paintMoments(painter);
   paintLegend(painter);
 }
 
 /// Axes and curves are kept as a picture: while the motion plays only the moment moves over them.
-void MotionPlot::renewPainted() {
+void MotionPlot::updatePainted() {
   Painted wanted{
       {},    m_sheetNumber, m_times, m_values, size(), devicePixelRatioF(), palette().color(QPalette::Base),
       font()};
@@ -365,6 +365,6 @@ void MotionPlot::leaveEvent(QEvent*) {
   update();
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_motion_plot.cpp"

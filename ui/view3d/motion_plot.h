@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/presentation/stage/motion_curves.h"
+#include "core/presentation/scene3d/motion_curves.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// Axis ticks at round numbers: 1, 2 or 5 times a power of ten apart, at most `most` of them over the range.
 /// @pre low < high, most > 1
@@ -91,7 +91,7 @@ class MotionPlot : public QWidget {
              ratio == other.ratio && ground == other.ground && font == other.font;
     }
   };
-  void renewPainted();
+  void updatePainted();
 
   CurveSheet m_sheet;
   quint64 m_sheetNumber = 0;  ///< incremented with every sheet
@@ -106,4 +106,4 @@ class MotionPlot : public QWidget {
   bool m_dragged = false;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/words.h"
-#include "core/presentation/stage/force_arrow_shape.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/scene3d/force_arrow_shape.h"
 #include "ui/models/printed_number.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr double kMaxBarLength = 110, kFromRight = 16, kTick = 4;  // logical pixels
@@ -72,7 +72,7 @@ void paintArrow(QPainter& painter, const ForceArrowShape& shape, const QColor& c
 }
 
 QString legendOf(ForceKind kind) {
-  return QString::fromStdString(base::translated(forceLegend(kind)));
+  return QString::fromStdString(translated(forceLegend(kind)));
 }
 
 constexpr double kLegendLeft = 12, kLegendTop = 40, kLegendLine = 18;  // below "Software 3D"
@@ -140,7 +140,7 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
   };
   for (const ForceLabel& label :
        placeForceLabels(*shown.forces, shown.arrows, shown.highlighted, ground, widthOf)) {
-    const StageForce& force = (*shown.forces)[label.force];
+    const SceneForce& force = (*shown.forces)[label.force];
     const QRectF box(std::round(label.middle.x() - label.half.x()),
                      std::round(label.middle.y() - label.half.y()), std::round(2 * label.half.x()),
                      2 * label.half.y());
@@ -197,4 +197,4 @@ void PictureOverlay::paint(Image& image, const LabelGround& ground, const ShownF
   if (m_scaleBar) paintScaleBar(painter, ground, kBarFromBelow, m_dark);
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

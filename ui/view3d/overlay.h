@@ -1,17 +1,17 @@
 #pragma once
 
-#include "core/presentation/painting/image.h"
-#include "core/presentation/stage/stage_forces.h"
+#include "core/presentation/gl_renderer/image.h"
+#include "core/presentation/scene3d/scene_forces.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/view_options.h"
 
 class QPainter;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The forces shown as arrows, for their labels and legend.
 struct ShownForces {
-  StageForces forces;
+  SceneForces forces;
   std::vector<ForceArrow> arrows;
   std::set<ElementId> highlighted;  ///< highlighted elements, whose forces are always labelled
   QString caption;                  ///< why some or all are not drawn; empty if all are
@@ -44,4 +44,4 @@ class PictureOverlay {
   LabelLayer m_labels;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 OverlayLayer::OverlayLayer(Viewer* viewer) : QObject(viewer), m_viewer(viewer) {}
 
@@ -32,7 +32,7 @@ void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& view
   painter.restore();
 }
 
-void paintLayer(Image& image, const LabelGround& ground, const StageView& view, const PaintOver& painting,
+void paintLayer(Image& image, const LabelGround& ground, const SceneView& view, const PaintOver& painting,
                 bool isDark, const ShownForces& forces) {
   if (!painting || image.width <= 0) return;
   QImage pixels(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888);
@@ -42,6 +42,6 @@ void paintLayer(Image& image, const LabelGround& ground, const StageView& view, 
   painting(painter, {ground, view, bottomOfForceLegend(painter, ground, forces), isDark, {}});
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_overlay_layer.cpp"

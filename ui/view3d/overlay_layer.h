@@ -4,21 +4,21 @@
 #include <functional>
 #include <set>
 
-#include "core/presentation/painting/image.h"
-#include "core/presentation/stage/label_anchors.h"
-#include "core/presentation/stage/stage_view.h"
+#include "core/presentation/gl_renderer/image.h"
+#include "core/presentation/scene3d/label_anchors.h"
+#include "core/presentation/scene3d/scene_view.h"
 #include "ui/view3d/overlay.h"
 
 class QPainter;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 class Viewer;
 
 /// Where more is painted over a picture of the solids.
 struct OverlayPlace {
   const LabelGround& ground;  ///< logical pixels of the painter
-  const StageView& view;
+  const SceneView& view;
   double top;  ///< below what stands at the upper left already
   bool isDark;
   std::set<ElementId> highlighted;  ///< elements that are selected or pointed at
@@ -46,7 +46,7 @@ class OverlayLayer : public QObject {
 /// Paints the layer of a viewer's view; nothing where it has none.
 void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& viewer, bool isDark);
 /// Paints it over a picture of its own; nothing without a painting.
-void paintLayer(Image& image, const LabelGround& ground, const StageView& view, const PaintOver& painting,
+void paintLayer(Image& image, const LabelGround& ground, const SceneView& view, const PaintOver& painting,
                 bool isDark, const ShownForces& forces);
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

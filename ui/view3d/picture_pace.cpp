@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kStillAfter = 180;  // ms
@@ -51,6 +51,6 @@ bool PicturePace::takeMap() {
   return true;
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_picture_pace.cpp"

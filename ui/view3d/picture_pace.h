@@ -7,7 +7,7 @@
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// Decides how expensive the next frame may be. In software rendering, frames are drafts while the picture
 /// moves; antialiasing and shadows are added once it rests. While it moves, labels move with their parts; the
@@ -42,4 +42,4 @@ class PicturePace : public QObject {
   QElapsedTimer m_sinceScene;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

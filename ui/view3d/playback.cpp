@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kMillisecondsPerFrame = 16;
@@ -85,6 +85,6 @@ void Playback::setSpeed(double speed) {
   emit speedChanged(speed);
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_playback.cpp"

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <limits>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The time of the motion: it runs, pauses, or is set by the user. Angles are speeds times this time, so
 /// every frame depends only on it.
@@ -58,4 +58,4 @@ class Playback : public QObject {
   QElapsedTimer m_sinceFrame;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -15,7 +15,7 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/theme_colors.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kSteps = 2000;
@@ -188,6 +188,6 @@ void PlaybackBar::changeEvent(QEvent* event) {
   showTime();
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_playback_bar.cpp"

@@ -11,7 +11,7 @@ class QLabel;
 class QSlider;
 class QToolButton;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The controls of the playback: play and pause, single steps, a scrub bar over span(), the time, and the
 /// speed with its direction.
@@ -54,4 +54,4 @@ class PlaybackBar : public QWidget {
   QToolButton* m_speed;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr int kSteps = 500;
@@ -117,6 +117,6 @@ void SectionBar::refresh() {
   }
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_section_bar.cpp"

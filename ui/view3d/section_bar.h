@@ -6,7 +6,7 @@
 class QSlider;
 class QToolButton;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 class Viewer;
 
@@ -31,4 +31,4 @@ class SectionBar : public QWidget {
   QSlider* m_apart = nullptr;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

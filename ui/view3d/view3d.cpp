@@ -22,7 +22,7 @@
 #include "ui/view3d/section_bar.h"
 #include "ui/view3d/view_buttons.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 const QString kNavigationKey = QStringLiteral("view3d/navigation");
 }
@@ -47,8 +47,8 @@ class View3D::Private {
   void wireButtons();
   void placeStrip();
   void onOptionsChanged();
-  [[nodiscard]] StageRange range() const;
-  void renewRange();
+  [[nodiscard]] SceneRange range() const;
+  void updateRange();
   void wireAxis();
   void openPartMenu(std::optional<Hit> hit, const QPointF& at);
   [[nodiscard]] std::optional<ElementId> selectedLink() const;
@@ -70,8 +70,8 @@ class View3D::Private {
 };
 
 /// The times that the joints' limits leave to the motion from where hands have put it.
-StageRange View3D::Private::range() const {
-  const StagePtr& stage = viewer.stage();
+SceneRange View3D::Private::range() const {
+  const MechanismScenePtr& stage = viewer.stage();
   if (stage == nullptr || !stage->range) return {};
   std::vector<double> added = viewer.turnedByHand();
   added.resize(stage->inputSpeeds.size(), 0);
@@ -79,11 +79,11 @@ StageRange View3D::Private::range() const {
 }
 
 /// Of the viewer's trajectory, which knows no limits of its own, or of the stage.
-void View3D::Private::renewRange() {
-  const StagePtr& stage = viewer.stage();
+void View3D::Private::updateRange() {
+  const MechanismScenePtr& stage = viewer.stage();
   const InputTrajectory* const along = stage ? trajectoryOf(*stage, viewer.view()) : nullptr;
   playback.setPeriod(along != nullptr ? along->seconds() : stage ? stage->period : 0);
-  const StageRange now = along != nullptr ? StageRange() : range();
+  const SceneRange now = along != nullptr ? SceneRange() : range();
   playback.setRange(now.from.time, now.to.time);
 }
 
@@ -202,7 +202,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   connect(&d->playback, &Playback::playingChanged, &d->viewer, &Viewer::setRunning);
   connect(&d->viewer, &Viewer::timeWanted, this, [this](double seconds) {
     d->playback.setPlaying(false);
-    const StageRange range = d->range();
+    const SceneRange range = d->range();
     d->playback.setTime(seconds);
     if (seconds < d->playback.from() || seconds > d->playback.to())
       emit noteMade(
@@ -211,12 +211,12 @@ View3D::View3D(Selection* selection, QWidget* parent)
   });
   connect(&d->viewer, &Viewer::pointed, this, &View3D::hintChanged);
   connect(&d->playback, &Playback::endReached, this, [this](bool isEnd) {
-    const StageRange range = d->range();
+    const SceneRange range = d->range();
     const QString joint = QString::fromStdString((isEnd ? range.to : range.from).text);
     emit noteMade(d->playback.isPlaying() ? tr("Limit reached: %1. The motion turns round.").arg(joint)
                                           : tr("Limit reached: %1.").arg(joint));
   });
-  connect(&d->viewer, &Viewer::turnedByHandChanged, this, [this] { d->renewRange(); });
+  connect(&d->viewer, &Viewer::turnedByHandChanged, this, [this] { d->updateRange(); });
   connect(&d->viewer, &Viewer::limitReached, this,
           [this](const QString& joint) { emit noteMade(tr("Limit reached: %1.").arg(joint)); });
   connect(d->bar, &PlaybackBar::trajectoryEnded, this, [this] { setTrajectory(nullptr); });
@@ -243,25 +243,25 @@ View3D::~View3D() {
   d->host->stop();
 }
 
-void View3D::setForces(StageForces forces, const QString& caption) {
+void View3D::setForces(SceneForces forces, const QString& caption) {
   d->viewer.setForces(std::move(forces), caption);
 }
 const QString& View3D::forcesCaption() const {
   return d->viewer.forcesCaption();
 }
 
-void View3D::setStage(const StagePtr& stage) {
-  d->viewer.setStage(stage);
+void View3D::setScene(const MechanismScenePtr& stage) {
+  d->viewer.setScene(stage);
   const bool isOfOthers = trajectory() && (!stage || trajectoryOf(*stage, view()) == nullptr);
   if (isOfOthers) setTrajectory(nullptr);
-  d->renewRange();
+  d->updateRange();
   d->viewer.setTime(d->playback.time());
   d->bar->refresh();
   setEmptyText(d->emptyText->text());
   emit contentChanged();
 }
 
-const StagePtr& View3D::stage() const {
+const MechanismScenePtr& View3D::stage() const {
   return d->viewer.stage();
 }
 
@@ -299,7 +299,7 @@ void View3D::setTrajectory(const InputTrajectoryPtr& trajectory) {
   d->viewer.setTrajectory(trajectory);
   d->bar->setAlongTrajectory(trajectory != nullptr);
   d->playback.setSpeed(std::abs(d->playback.speed()));
-  d->renewRange();
+  d->updateRange();
   d->playback.setTime(0);
   d->bar->refresh();
   emit trajectoryChanged();
@@ -337,7 +337,7 @@ void View3D::startAnew(const std::optional<Camera>& camera) {
 bool View3D::isCameraChosen() const {
   return d->viewer.isCameraChosen();
 }
-const StageView& View3D::view() const {
+const SceneView& View3D::view() const {
   return d->viewer.view();
 }
 
@@ -484,7 +484,7 @@ std::vector<ElementId> View3D::shownLinks() const {
   std::vector<ElementId> links;
   std::unordered_set<ElementId> known;
   if (stage() == nullptr) return links;
-  for (const StageLabel& label : stage()->labels) {
+  for (const SceneLabel& label : stage()->labels) {
     const bool isLink = label.element.kind == ElementKind::link && !hidden().contains(label.element);
     if (isLink && known.insert(label.element).second) links.push_back(label.element);
   }
@@ -501,7 +501,7 @@ void View3D::select(const ElementId& link) {
 
 /// By the number that the link's label shows; the ground has none.
 QString View3D::nameOf(const ElementId& link) const {
-  for (const StageLabel& label : stage()->labels) {
+  for (const SceneLabel& label : stage()->labels) {
     if (label.element == link) return tr("link %1").arg(QString::fromStdString(label.text));
   }
   return tr("the ground");
@@ -541,6 +541,6 @@ void View3D::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_view3d.cpp"

@@ -2,19 +2,19 @@
 
 #include <QWidget>
 
-#include "core/presentation/painting/camera.h"
-#include "core/presentation/stage/stage.h"
-#include "core/presentation/stage/stage_forces.h"
-#include "ui/selection/selection.h"
+#include "core/presentation/gl_renderer/camera.h"
+#include "core/presentation/scene3d/scene_forces.h"
+#include "core/presentation/scene3d/stage.h"
+#include "ui/document/selection.h"
 #include "ui/view3d/axis_pull.h"
 #include "ui/view3d/playback.h"
 #include "ui/view3d/viewer.h"
-#include "ui/views/results_view.h"
-#include "ui/views/view_entry.h"
+#include "ui/workbench/results_view.h"
+#include "ui/workbench/view_entry.h"
 
 class QMenu;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The 3D view: a stage that can be turned, zoomed and played. While a single axis or turning joint is
 /// selected, its axis has a handle; grabbing it returns the train to its reference pose.
@@ -39,11 +39,11 @@ class View3D : public QWidget, public ResultsView {
   [[nodiscard]] static QString driver();
 
   /// Sets the stage to show. Camera and time are kept; the first stage is fitted into the view.
-  void setStage(const StagePtr& stage);
-  [[nodiscard]] const StagePtr& stage() const;
+  void setScene(const MechanismScenePtr& stage);
+  [[nodiscard]] const MechanismScenePtr& stage() const;
   /// Sets the forces on the parts, for the menu entry "Forces"; null: there are none. `caption`: shown beside
   /// the legend, why some or all are not drawn; empty if all are.
-  void setForces(StageForces forces, const QString& caption = {});
+  void setForces(SceneForces forces, const QString& caption = {});
   [[nodiscard]] const QString& forcesCaption() const;
   [[nodiscard]] QWidget& widget() override { return *this; }
   /// Sets the text shown instead of an empty stage from what the mechanism lacks.
@@ -71,7 +71,7 @@ class View3D : public QWidget, public ResultsView {
   /// Has the camera been chosen, by the user or in the document? Then it is to be saved.
   [[nodiscard]] bool isCameraChosen() const;
   /// The complete state of the view, for rendering it elsewhere.
-  [[nodiscard]] const StageView& view() const;
+  [[nodiscard]] const SceneView& view() const;
   /// The links with a visible part, in the order of Stage::labels.
   [[nodiscard]] std::vector<ElementId> shownLinks() const;
   [[nodiscard]] bool isSelected(const ElementId& link) const;
@@ -152,4 +152,4 @@ class View3D : public QWidget, public ResultsView {
 
 [[nodiscard]] ViewEntry view3dView();
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -1,13 +1,13 @@
 // What the window has to know of the 3D view, and what the view says while there are no gears.
 
-#include "core/presentation/train_stage/train_stage.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
 #include "ui/view3d/view3d.h"
-#include "ui/views/views.h"
+#include "ui/workbench/views.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
-QString whyNoGears(const AnalysisSnapshot& snapshot) {
+QString unavailableReason(const AnalysisSnapshot& snapshot) {
   if (snapshot.mechanism->n() == 0)
     return View3D::tr("The gears appear here. Draw the first link: L, then click.");
   if (!snapshot.tree) {
@@ -26,7 +26,7 @@ QString whyNoGears(const AnalysisSnapshot& snapshot) {
 }  // namespace
 
 void View3D::setSnapshot(const SnapshotPtr& snapshot) {
-  setEmptyText(whyNoGears(*snapshot));
+  setEmptyText(unavailableReason(*snapshot));
 }
 
 ViewEntry view3dView() {
@@ -48,4 +48,4 @@ ViewEntry view3dView() {
       }};
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

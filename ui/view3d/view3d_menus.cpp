@@ -5,7 +5,7 @@
 #include <QActionGroup>
 #include <QMenu>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 QString tr(const char* text) {
@@ -179,4 +179,4 @@ void View3D::fillPartMenu(QMenu& menu, const std::optional<Hit>& hit) {
   addWaysBack(menu, view);
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <QToolButton>
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 ViewButtons::ViewButtons(QWidget* parent) : QWidget(parent) {
   setObjectName("view3dButtons");
@@ -62,6 +62,6 @@ void ViewButtons::addMore() {
   more->setPopupMode(QToolButton::InstantPopup);
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_view_buttons.cpp"

@@ -3,12 +3,12 @@
 #include <QWidget>
 #include <functional>
 
-#include "core/presentation/painting/camera.h"
+#include "core/presentation/gl_renderer/camera.h"
 
 class QMenu;
 class QToolButton;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The row of buttons over the 3D view: fit, the standard views, the section, and a menu of all else.
 class ViewButtons : public QWidget {
@@ -36,4 +36,4 @@ class ViewButtons : public QWidget {
   QToolButton* m_section;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

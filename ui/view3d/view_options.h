@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "core/presentation/painting/render_style.h"
-#include "core/presentation/stage/stage_view.h"
+#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene3d/scene_view.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The display options of the 3D view; not part of the document.
 struct ViewOptions {
@@ -21,4 +21,4 @@ struct ViewOptions {
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/foundations/base/contract.h"
-#include "core/presentation/stage/exploded.h"
+#include "core/presentation/scene3d/exploded.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr double kHalfFrame = 8;            // ms
@@ -30,14 +30,14 @@ Viewer::Viewer(Selection* selection, QObject* parent)
   m_paths->onAnswer(this, [this](const std::vector<TracedPath>& paths) { showPaths(paths); });
   m_whenHandRests.setSingleShot(true);
   m_whenHandRests.setInterval(kHandRests);
-  connect(&m_whenHandRests, &QTimer::timeout, this, &Viewer::renewHighlight);
-  connect(selection, &Selection::selectionChanged, this, &Viewer::renewHighlight);
-  connect(selection, &Selection::hoverChanged, this, &Viewer::renewHoverHighlight);
+  connect(&m_whenHandRests, &QTimer::timeout, this, &Viewer::updateHighlight);
+  connect(selection, &Selection::selectionChanged, this, &Viewer::updateHighlight);
+  connect(selection, &Selection::hoverChanged, this, &Viewer::updateHoverHighlight);
 }
 
-void Viewer::setStage(StagePtr stage) {
+void Viewer::setScene(MechanismScenePtr stage) {
   const bool first = m_stage == nullptr || m_stage->scene.instances.empty();
-  const StagePtr before = std::exchange(m_stage, std::move(stage));
+  const MechanismScenePtr before = std::exchange(m_stage, std::move(stage));
   m_seen = {};
   m_explosionOffsets.clear();
   m_outlines.reset();
@@ -48,11 +48,11 @@ void Viewer::setStage(StagePtr stage) {
   if (!instance(m_view.referenceLink)) m_view.referenceLink.reset();
   if (m_gesture == Gesture::turn) m_gesture = Gesture::none;  // what was held is gone
   if (m_stage == nullptr || m_view.turned.size() != m_stage->inputSpeeds.size()) m_view.turned.clear();
-  if (before != nullptr && m_stage != nullptr) renewTraces(*before);
+  if (before != nullptr && m_stage != nullptr) updateTraces(*before);
   const bool isEmpty = m_stage == nullptr || m_stage->scene.instances.empty();
   if (first || (m_isAnew && !isEmpty)) m_fitted = false;
   emit sceneChanged();
-  renewHighlight();
+  updateHighlight();
   place();
   emit viewChanged();
   if (isEmpty) return;
@@ -80,7 +80,7 @@ void Viewer::startAnew(const std::optional<Camera>& camera) {
 }
 
 // A part is found again by its place among those of its link.
-void Viewer::renewTraces(const Stage& before) {
+void Viewer::updateTraces(const MechanismScene& before) {
   std::vector<ShownTrace> kept;
   for (ShownTrace& trace : m_view.traces) {
     const auto& old = before.scene.instances;
@@ -126,14 +126,14 @@ void Viewer::showPaths(const std::vector<TracedPath>& paths) {
 /// Empty where nothing moves.
 TracedPath Viewer::pathOf(const TracedPoint& point, const PathsRequest& request,
                           const std::stop_token& stop) {
-  const Stage& stage = *request.stage;
+  const MechanismScene& stage = *request.stage;
   if (!stage.place || stage.inputSpeeds.empty()) return {};
   std::vector<double> start = request.start;
   const InputTrajectory* const trajectory = request.trajectory.get();
   if (trajectory != nullptr && trajectory->seconds() > 0)
     return tracedPath(stage, point, start, trajectory->seconds(), trajectory, stop);
   double duration = stage.period > 0 ? stage.period : kTraceWithoutPeriod;
-  const StageRange range = stage.range ? stage.range(start) : StageRange();
+  const SceneRange range = stage.range ? stage.range(start) : SceneRange();
   if (std::isfinite(range.from.time)) {
     for (std::size_t k = 0; k < start.size(); ++k) start[k] += stage.inputSpeeds[k] * range.from.time;
     duration = std::min(duration, range.to.time - range.from.time);
@@ -173,11 +173,11 @@ void Viewer::place() {
   if (m_view.explosion > 0 && m_explosionOffsets.empty()) m_explosionOffsets = explosionOffsets(*m_stage);
   m_seen = seenPoses(*m_stage, m_view, m_explosionOffsets);
   m_floor = floorOf(m_stage->scene, m_explosionOffsets, m_view.explosion);
-  renewMarks();
+  updateMarks();
   emit viewChanged();
 }
 
-void Viewer::renewMarks() {
+void Viewer::updateMarks() {
   m_marks.clear();
   if (m_stage != nullptr && !m_seen.poses.empty()) m_marks = seenLines(*m_stage, m_view, m_seen, cut());
 }
@@ -190,7 +190,7 @@ void Viewer::setOptions(const ViewOptions& options) {
   m_view.section = options.section;
   m_view.explosion = options.explosion;
   m_view.marks = options.marks;
-  renewVisibility();
+  updateVisibility();
   place();
   if (otherSize) fitNow();
   emit optionsChanged();
@@ -206,17 +206,17 @@ void Viewer::fixReferenceFrame(const std::optional<ElementId>& link) {
 void Viewer::setHidden(std::set<ElementId> links) {
   if (links == m_view.hidden) return;
   m_view.hidden = std::move(links);
-  renewVisibility();
+  updateVisibility();
   emit viewChanged();
   emit optionsChanged();
 }
 
-void Viewer::setForces(StageForces forces, const QString& caption) {
+void Viewer::setForces(SceneForces forces, const QString& caption) {
   if (forces == m_view.forces && caption == m_forcesCaption) return;
   m_view.forces = std::move(forces);
   m_forcesCaption = caption;
   if (!m_options.marks.forces) return;
-  renewMarks();
+  updateMarks();
   emit viewChanged();
 }
 
@@ -267,7 +267,7 @@ void Viewer::clearTraces() {
 // away.
 /// rad/s that the part turns by as the inputs run, against what carries it.
 double Viewer::rateOf(std::size_t instance) const {
-  const StageHandle& handle = m_stage->handles[instance];
+  const SceneHandle& handle = m_stage->handles[instance];
   double rate = 0;
   for (std::size_t k = 0; k < handle.gains.size() && k < m_stage->inputSpeeds.size(); ++k)
     rate += handle.gains[k] * m_stage->inputSpeeds[k];
@@ -281,7 +281,7 @@ Pose Viewer::displacementOf(std::size_t instance) const {
 /// How far the part turns so that the held point follows the pointer as nearly as it can; none where that
 /// cannot be told.
 std::optional<double> Viewer::angleOf(const Hit& held, const QPointF& step) const {
-  const StageHandle& handle = m_stage->handles[held.instance];
+  const SceneHandle& handle = m_stage->handles[held.instance];
   const Pose before = displacementOf(held.instance);
   const Eigen::Vector3d axis = before.linear() * handle.direction, origin = before * handle.point;
   const Eigen::Vector3d along = axis.cross(held.point - origin);  // of the held point, a rad
@@ -304,7 +304,7 @@ void Viewer::runTo(Hit& held, const QPointF& step) {
 }
 
 void Viewer::turn(Hit& held, const QPointF& step) {
-  const StageHandle& handle = m_stage->handles[held.instance];
+  const SceneHandle& handle = m_stage->handles[held.instance];
   double strength = 0;
   for (const double gain : handle.gains) strength += gain * gain;
   const std::optional<double> angle = angleOf(held, step);
@@ -313,7 +313,7 @@ void Viewer::turn(Hit& held, const QPointF& step) {
   std::vector<double> turned = m_view.turned;
   for (std::size_t k = 0; k < turned.size(); ++k) turned[k] += handle.gains[k] * *angle / strength;
   if (m_stage->beyondLimits) {
-    StageView next = m_view;
+    SceneView next = m_view;
     next.turned = turned;
     const std::string joint = m_stage->beyondLimits(inputAngles(*m_stage, next));
     if (!joint.empty()) return emit limitReached(QString::fromStdString(joint));
@@ -371,7 +371,7 @@ void Viewer::fitNow() {
 void Viewer::setRenderStyle(const RenderStyle& style) {
   m_view.style = style;
   m_view.style.faces = m_options.faces;
-  renewMarks();
+  updateMarks();
   emit viewChanged();
 }
 
@@ -405,12 +405,12 @@ Frame Viewer::frame(bool draft) const {
   return frame;
 }
 
-void Viewer::renewHoverHighlight() {
+void Viewer::updateHoverHighlight() {
   if (m_pictureCost > kHalfFrame) return m_whenHandRests.start();
-  renewHighlight();
+  updateHighlight();
 }
 
-void Viewer::renewHighlight() {
+void Viewer::updateHighlight() {
   std::vector<Highlight> emphasis;
   if (m_stage != nullptr) {
     for (const Instance& instance : m_stage->scene.instances) {
@@ -425,11 +425,11 @@ void Viewer::renewHighlight() {
   }
   if (emphasis == m_emphasis && m_visibility.size() == emphasis.size()) return;
   m_emphasis = std::move(emphasis);
-  renewVisibility();
+  updateVisibility();
   emit viewChanged();
 }
 
-void Viewer::renewVisibility() {
+void Viewer::updateVisibility() {
   m_visibility.assign(m_emphasis.size(), Visibility::solid);
   const bool isChosen = m_options.translucentOthers && std::find(m_emphasis.begin(), m_emphasis.end(),
                                                                  Highlight::selected) != m_emphasis.end();
@@ -442,6 +442,6 @@ void Viewer::renewVisibility() {
   }
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph
 
 #include "moc_viewer.cpp"

@@ -8,10 +8,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/presentation/painting/renderer.h"
-#include "core/presentation/stage/stage.h"
-#include "core/presentation/stage/stage_view.h"
-#include "ui/selection/selection.h"
+#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene3d/scene_view.h"
+#include "core/presentation/scene3d/stage.h"
+#include "ui/document/selection.h"
 #include "ui/service/service.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/view_options.h"
@@ -21,7 +21,7 @@ class QNativeGestureEvent;
 class QMouseEvent;
 class QWheelEvent;
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 
 /// The function of the middle mouse button, alone and with Shift or Ctrl, as in other programs.
 enum class Navigation {
@@ -59,10 +59,10 @@ class Viewer : public QObject {
   explicit Viewer(Selection* selection, QObject* parent = nullptr);
 
   /// Sets the stage to show. Camera and time are kept, and traced paths if their links still exist.
-  void setStage(StagePtr stage);
+  void setScene(MechanismScenePtr stage);
   /// The next stage is that of another document: it is fitted, or seen from where the document says.
   void startAnew(const std::optional<Camera>& camera);
-  [[nodiscard]] const StagePtr& stage() const { return m_stage; }
+  [[nodiscard]] const MechanismScenePtr& stage() const { return m_stage; }
   /// Sets the time in s: the inputs turn at their speeds, starting from turnedByHand().
   void setTime(double seconds);
   /// Moves the inputs along this trajectory; null: at their constant speeds. Traced paths are updated.
@@ -85,7 +85,7 @@ class Viewer : public QObject {
   void setHidden(std::set<ElementId> links);
   /// Sets the forces of the stage, shown according to ViewOptions::marks; null: there are none. `caption`:
   /// why some or all are not drawn; empty if all are.
-  void setForces(StageForces forces, const QString& caption);
+  void setForces(SceneForces forces, const QString& caption);
   [[nodiscard]] const QString& forcesCaption() const { return m_forcesCaption; }
   [[nodiscard]] ShownForces shownForces() const;
   /// Is something else with labels painted over the view? Takes effect with the next picture.
@@ -105,7 +105,7 @@ class Viewer : public QObject {
   /// Has the camera been chosen, by the user or in the document? Then it is to be saved.
   [[nodiscard]] bool isCameraChosen() const { return m_isCameraChosen; }
   /// The complete state of the view, for rendering it elsewhere.
-  [[nodiscard]] const StageView& view() const { return m_view; }
+  [[nodiscard]] const SceneView& view() const { return m_view; }
   void setCamera(const Camera& camera);
   void showFrom(StandardView view);
   void fit();
@@ -155,7 +155,7 @@ class Viewer : public QObject {
   };
   /// The points of all traces, and how they move.
   struct PathsRequest {
-    StagePtr stage;
+    MechanismScenePtr stage;
     std::vector<TracedPoint> points;
     std::vector<double> start;      ///< rad, one per input
     InputTrajectoryPtr trajectory;  ///< null: at the inputs' speeds
@@ -173,19 +173,19 @@ class Viewer : public QObject {
   bool wheel(const QWheelEvent& event);
   bool nativeGesture(const QNativeGestureEvent& event);
   void leave();
-  void renewHighlight();
+  void updateHighlight();
   void place();
-  void renewVisibility();
-  void renewMarks();
+  void updateVisibility();
+  void updateMarks();
   [[nodiscard]] std::vector<Eigen::Vector3d> outlinePoints();
   [[nodiscard]] bool isAllInside();
   void fitNow();
   [[nodiscard]] std::optional<std::size_t> instance(const std::optional<ElementId>& link) const;
-  void renewTraces(const Stage& before);
+  void updateTraces(const MechanismScene& before);
   void requestPaths();
   void showPaths(const std::vector<TracedPath>& paths);
   void turn(Hit& held, const QPointF& step);
-  void renewHoverHighlight();
+  void updateHoverHighlight();
   void ask(const QPointF& place, PickFor use, Answer answer);
   void dropQuestions();
   void hover(const QPointF& place);
@@ -206,8 +206,8 @@ class Viewer : public QObject {
   Selection* m_selection;
   Service<PathsRequest, std::vector<TracedPath>>* m_paths;
   bool m_isTraceNew = false;  ///< traced() is to be emitted for the last one
-  StagePtr m_stage;
-  StageView m_view;
+  MechanismScenePtr m_stage;
+  SceneView m_view;
   QString m_forcesCaption;
   bool m_areLabelsShared = false;
   SeenPoses m_seen;
@@ -243,4 +243,4 @@ class Viewer : public QObject {
   QTimer m_whenHandRests;
 };
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 
 #include "ui/view3d/viewer.h"
 
-namespace geargraph::inline view3d {
+namespace geargraph {
 namespace {
 
 constexpr double kZoomPerNotch = 1.15;
@@ -273,4 +273,4 @@ void Viewer::leave() {
   if (m_gesture == Gesture::none) m_selection->unhover();
 }
 
-}  // namespace geargraph::inline view3d
+}  // namespace geargraph

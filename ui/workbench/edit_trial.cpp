@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "ui/workbench/workbench.h"
 
-namespace geargraph::inline workbench {
+namespace geargraph {
 namespace {
 
 /// No document's revision is as high: what keeps answers by revision does not take one for the other.
@@ -24,4 +24,4 @@ Diagnostics showTrial(Workbench& workbench, const Edit& edit) {
   return {};
 }
 
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph

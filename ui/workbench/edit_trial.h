@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 
-namespace geargraph::inline workbench {
+namespace geargraph {
 
 class Workbench;
 
@@ -12,4 +12,4 @@ class Workbench;
 /// it is shown.
 Diagnostics showTrial(Workbench& workbench, const Edit& edit);
 
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph

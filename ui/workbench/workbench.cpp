@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-namespace geargraph::inline workbench {
+namespace geargraph {
 namespace {
 
 /// Where the document's own files are; empty while it has no file.
@@ -26,8 +26,8 @@ Workbench::Workbench(Document* document, Selection* selection, QObject* parent)
       m_document(document),
       m_selection(selection),
       m_analysis(new AnalysisService(
-          this, [this](const SnapshotPtr& snapshot) { m_stages->requestStage(snapshot); })),
-      m_stages(new StageService(this)),
+          this, [this](const SnapshotPtr& snapshot) { m_stages->requestScene(snapshot); })),
+      m_stages(new SceneService(this)),
       m_forces(new ForcesService(this)),
       m_motionCheck(new MotionCheckService(this)) {
   m_document->setParent(this);
@@ -56,6 +56,6 @@ bool Workbench::isUpToDate() const {
          m_motionCheck->isUpToDate();
 }
 
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph
 
 #include "moc_workbench.cpp"

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "ui/analysis/analysis_service.h"
 #include "ui/document/document.h"
-#include "ui/motion/motion_check_service.h"
-#include "ui/selection/selection.h"
-#include "ui/stage/stage_service.h"
-#include "ui/statics/forces_service.h"
+#include "ui/document/selection.h"
+#include "ui/workbench/analysis_service.h"
+#include "ui/workbench/forces_service.h"
+#include "ui/workbench/motion_check_service.h"
+#include "ui/workbench/scene_service.h"
 
-namespace geargraph::inline workbench {
+namespace geargraph {
 
 /// The objects that the views of a window share: the document, the selection, and the services that follow
 /// the document. An edit changes the document, the document is analysed, and each snapshot is passed to the
@@ -26,7 +26,7 @@ class Workbench final : public QObject {
   [[nodiscard]] Document& document() { return *m_document; }
   [[nodiscard]] Selection& selection() { return *m_selection; }
   [[nodiscard]] AnalysisService& analysis() { return *m_analysis; }
-  [[nodiscard]] StageService& stages() { return *m_stages; }
+  [[nodiscard]] SceneService& stages() { return *m_stages; }
   [[nodiscard]] ForcesService& forces() { return *m_forces; }
   [[nodiscard]] MotionCheckService& motionCheck() { return *m_motionCheck; }
 
@@ -41,9 +41,9 @@ class Workbench final : public QObject {
   Document* m_document;
   Selection* m_selection;
   AnalysisService* m_analysis;
-  StageService* m_stages;
+  SceneService* m_stages;
   ForcesService* m_forces;
   MotionCheckService* m_motionCheck;
 };
 
-}  // namespace geargraph::inline workbench
+}  // namespace geargraph

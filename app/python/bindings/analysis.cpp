@@ -6,11 +6,11 @@
 
 #include "app/python/bindings/snapshot.h"
 #include "core/design/collision/motion_diagnostics.h"
-#include "core/presentation/results/analysis_json.h"
-#include "core/presentation/results/input_pose.h"
-#include "core/presentation/results/lost_motion_report.h"
-#include "core/presentation/results/states_json.h"
-#include "core/presentation/results/vibration_report.h"
+#include "core/presentation/export_api/analysis_json.h"
+#include "core/presentation/export_api/input_pose.h"
+#include "core/presentation/export_api/lost_motion_report.h"
+#include "core/presentation/export_api/states_json.h"
+#include "core/presentation/export_api/vibration_report.h"
 #include "core/teaching/derivation/quantity_table.h"
 #include "core/theory/matroid/input_sets.h"
 
@@ -154,7 +154,7 @@ py::tuple inputSets(const Snapshot& self, std::size_t limit) {
   };
   Sets sets = interruptible([&](const std::stop_token& stop) {
     const auto found =
-        InputSets::of(*self.live()->kinematics->model, FusedField(), matroid.choice.joints, stop);
+        InputSets::of(*self.live()->kinematics->model, ModularDoubleField(), matroid.choice.joints, stop);
     if (!found) return Sets{};
     return Sets{true, found->count(stop), found->list(limit, stop)};
   });

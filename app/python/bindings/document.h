@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/python/bindings/errors.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::python {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/python/bindings/snapshot.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/theory/dynamics/dynamics_report.h"
 #include "core/theory/pose/joint_limits.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/python/bindings/document.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
 #include "core/mechanism/model/load_edits.h"
@@ -43,7 +43,7 @@ int stateNamed(const Mechanism& mechanism, const std::string& name) {
   if (found == mechanism.states.end()) {
     raise(Diagnostics{{Code::unknownId,
                        "There is no state \"" + name + "\".",
-                       {ElementId(ElementKind::state, Atom(name))},
+                       {ElementId(ElementKind::state, InternedString(name))},
                        {}}});
   }
   return static_cast<int>(found - mechanism.states.begin());
@@ -187,7 +187,7 @@ void addMotionEdits(py::class_<Document>& document) {
              const int state = static_cast<int>(next.states.size()) - 1;
              if (name) next = valueOrRaise(withStateRenamed(std::move(next), state, *name));
              for (const std::string& id : engaged)
-               next = valueOrRaise(withEngaged(std::move(next), state, CouplingId(id), true));
+               next = valueOrRaise(withEngaged(std::move(next), state, ShiftElementId(id), true));
              if (drive) next = valueOrRaise(withDrive(std::move(next), state, LinkId(*drive)));
              if (driven) next = valueOrRaise(withDriven(std::move(next), state, LinkId(*driven)));
              return edited(std::move(next));
@@ -198,19 +198,19 @@ void addMotionEdits(py::class_<Document>& document) {
            })
       .def("with_engaged",
            [](const Document& self, const std::vector<std::string>& couplings) {
-             return edited(withCouplingsEngaged(self.mechanism(), idsFrom<CouplingId>(couplings)));
+             return edited(withCouplingsEngaged(self.mechanism(), idsFrom<ShiftElementId>(couplings)));
            })
       .def("with_state_engaged", [](const Document& self, const std::string& name) {
         return edited(withStateEngaged(self.mechanism(), stateNamed(self.mechanism(), name)));
       });
 }
 
-Balance balanceFrom(const std::string& kind, const std::string& id, const OptionalText& axis) {
-  Balance balance;
+HoldingTorque balanceFrom(const std::string& kind, const std::string& id, const OptionalText& axis) {
+  HoldingTorque balance;
   if (kind == "joint") {
     balance.at = JointId(id);
   } else {
-    balance.at = Balance::OnLink{LinkId(id), axis ? std::optional(AxisId(*axis)) : std::nullopt};
+    balance.at = HoldingTorque::OnLink{LinkId(id), axis ? std::optional(AxisId(*axis)) : std::nullopt};
   }
   return balance;
 }
@@ -239,7 +239,7 @@ void addLoadEdits(py::class_<Document>& document) {
       .def("with_balances",
            [](const Document& self,
               const std::optional<std::vector<std::tuple<std::string, std::string, OptionalText>>>& places) {
-             std::optional<std::vector<Balance>> balances;
+             std::optional<std::vector<HoldingTorque>> balances;
              if (places) {
                balances.emplace();
                for (const auto& [kind, id, axis] : *places) balances->push_back(balanceFrom(kind, id, axis));

@@ -22,7 +22,7 @@ std::string_view kindName(ElementKind kind) {
 
 ElementId elementFrom(const std::string& kind, const std::string& id) {
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (kKinds.at(i) == kind) return {static_cast<ElementKind>(i), Atom(id)};
+    if (kKinds.at(i) == kind) return {static_cast<ElementKind>(i), InternedString(id)};
   }
   throw py::value_error("There is no kind of element \"" + kind + "\".");
 }

@@ -7,11 +7,11 @@
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
 #include "core/machine/teeth/wheel_kind.h"
-#include "core/presentation/pages/report_pdf.h"
-#include "core/presentation/results/csv_tables.h"
-#include "core/presentation/results/graph_files.h"
-#include "core/presentation/results/report_lists.h"
-#include "core/presentation/results/train_export.h"
+#include "core/presentation/export_api/csv_tables.h"
+#include "core/presentation/export_api/graph_files.h"
+#include "core/presentation/export_api/report_lists.h"
+#include "core/presentation/export_api/train_export.h"
+#include "core/presentation/page_layout/report_pdf.h"
 
 namespace geargraph::python {
 namespace {

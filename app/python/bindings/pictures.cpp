@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "app/python/bindings/snapshot.h"
+#include "core/presentation/cairo_output/picture.h"
+#include "core/presentation/export_api/named_drawings.h"
+#include "core/presentation/export_api/rendering_names.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
+#include "core/presentation/mechanism_scene/scene_picture.h"
 #include "core/presentation/meshfile/mesh_writer.h"
-#include "core/presentation/picture/picture.h"
-#include "core/presentation/results/named_drawings.h"
-#include "core/presentation/results/rendering_names.h"
-#include "core/presentation/train_stage/stage_picture.h"
-#include "core/presentation/train_stage/train_stage.h"
 
 namespace geargraph::python {
 namespace {
@@ -81,8 +81,8 @@ struct RequestedPicture {
         reader(requested["reader"].cast<std::string>()) {}
 };
 
-std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& requested) {
-  StageRendering rendering;
+std::pair<SceneRendering, OverlayChoice> renderingFrom(const RequestedPicture& requested) {
+  SceneRendering rendering;
   OverlayChoice overlay;
   checkSize(requested.size, kMaxPictureSide);
   if (requested.size) rendering.size = {requested.size->first, requested.size->second};
@@ -112,14 +112,14 @@ std::pair<StageRendering, OverlayChoice> renderingFrom(const RequestedPicture& r
 }
 
 /// The stage, or raises geargraph.Error where there is nothing to show.
-StagePtr stageOf(const Snapshot& self, const RequestedPicture& requested) {
+MechanismScenePtr stageOf(const Snapshot& self, const RequestedPicture& requested) {
   if (self.mechanism().n() > kMaxStageLinks)
     raise("limit", "3D is made of up to " + std::to_string(kMaxStageLinks) + " links.");
-  StagePtr stage = interruptible([&](const std::stop_token& stop) {
+  MechanismScenePtr stage = interruptible([&](const std::stop_token& stop) {
     GearCache cache;
     ShapeCache read(requested.reader.empty() ? foreignMeshReader() : std::filesystem::path(requested.reader));
     const ShapeSource shapes{read, requested.folder, stop};
-    return trainStage(*self.live(), cache, &shapes, nullptr, stop);
+    return mechanismScene(*self.live(), cache, &shapes, nullptr, stop);
   });
   if (stage->scene.instances.empty()) self.raiseUndefined("There is nothing to show.");
   return stage;
@@ -128,8 +128,8 @@ StagePtr stageOf(const Snapshot& self, const RequestedPicture& requested) {
 RenderingRun runWith(const OverlayChoice& overlay, bool dark) {
   RenderingRun run;
   if (!overlay.any()) return run;
-  run.finish = [labels = StageLabels(overlay), theme = dark ? Theme::dark : Theme::light](
-                   Image& image, StagePainter& painter) mutable {
+  run.finish = [labels = SceneLabels(overlay), theme = dark ? Theme::dark : Theme::light](
+                   Image& image, ScenePainter& painter) mutable {
     if (!paintOver(image.rgba, image.width, image.height, labels.over(painter), painter.pixelRatio(), theme))
       image.rgba.clear();
   };
@@ -140,22 +140,22 @@ RenderingRun runWith(const OverlayChoice& overlay, bool dark) {
 py::tuple picture(const Snapshot& self, const py::dict& options) {
   const RequestedPicture requested(options);
   auto [made, overlay] = renderingFrom(requested);
-  StageRendering rendering = std::move(made);
-  const StagePtr stage = rendering.stage = stageOf(self, requested);
+  SceneRendering rendering = std::move(made);
+  const MechanismScenePtr stage = rendering.stage = stageOf(self, requested);
   RenderingRun run = runWith(overlay, requested.dark);
   using Bytes = std::vector<std::uint8_t>;
   const auto png = valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<Bytes> {
-    auto created = StagePainter::create(std::move(rendering), stop);
+    auto created = ScenePainter::create(std::move(rendering), stop);
     if (!created) return created.error();
     if (!*created) return Bytes();  // stopped
-    StagePainter& painter = **created;
+    ScenePainter& painter = **created;
     Image image = painter.paint(0);
     if (run.finish && !image.rgba.empty()) run.finish(image, painter);
     return pngBytes(image, stop);
   }));
   if (png.empty()) raise("graphics", "The memory does not suffice for the picture.");
   py::list notes;
-  for (const StageNote& note : stage->notes) notes.append(note.text);
+  for (const SceneNote& note : stage->notes) notes.append(note.text);
   return py::make_tuple(packed(png), notes);
 }
 
@@ -171,7 +171,7 @@ void writeAnimation(const Snapshot& self, const py::dict& options, const Animati
                     const std::string& kind, int frames, double framesPerSecond) {
   const RequestedPicture requested(options);
   auto [made, overlay] = renderingFrom(requested);
-  StageRendering rendering = std::move(made);
+  SceneRendering rendering = std::move(made);
   if (frames < 2 || frames > kMaxAnimationFrames)
     throw py::value_error("A film has 2 to " + std::to_string(kMaxAnimationFrames) + " frames.");
   rendering.animation = Animation{kind == "motion" ? AnimationKind::motion : AnimationKind::turntable, frames,
@@ -191,8 +191,8 @@ void writeAnimation(const Snapshot& self, const py::dict& options, const Animati
 void writeView(const Snapshot& self, const py::dict& options, const std::string& path) {
   const RequestedPicture requested(options);
   auto [rendering, overlay] = renderingFrom(requested);
-  const StagePtr stage = stageOf(self, requested);
-  const StageView& view = rendering.view;
+  const MechanismScenePtr stage = stageOf(self, requested);
+  const SceneView& view = rendering.view;
   const auto error = interruptible([&](const std::stop_token& stop) {
     MeshWriteOptions writing;
     writing.stop = stop;

@@ -2,7 +2,7 @@
 
 #include "app/python/bindings/snapshot.h"
 #include "core/foundations/files/folder.h"
-#include "core/presentation/results/train_export.h"
+#include "core/presentation/export_api/train_export.h"
 #include "core/presentation/simulators/simulator_model.h"
 
 namespace geargraph::python {

@@ -1,5 +1,5 @@
 #include "app/python/bindings/snapshot.h"
-#include "core/presentation/results/statics_json.h"
+#include "core/presentation/export_api/statics_json.h"
 #include "core/theory/statics/statics_report.h"
 
 namespace geargraph::python {
@@ -21,7 +21,7 @@ int statePosition(const Mechanism& mechanism, const std::optional<std::string>& 
   }
   raise(Diagnostics{{Code::unknownId,
                      "There is no state \"" + *name + "\".",
-                     {ElementId(ElementKind::state, Atom(*name))},
+                     {ElementId(ElementKind::state, InternedString(*name))},
                      {}}});
 }
 

@@ -5,9 +5,9 @@
 
 #include "core/design/atlas/bundled_atlas.h"
 #include "core/design/atlas/chain_enumeration.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kAtlasHead = "geargraph-atlas 1";
@@ -276,4 +276,4 @@ std::string meshesText(const Chain& chain) {
   return text;
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

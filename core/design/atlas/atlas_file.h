@@ -13,7 +13,7 @@
 #include "core/design/atlas/chain_form.h"
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// The number of a chain, `links-dof.rotation.displacement`: its place in the file of the atlas. Places never
 /// change; what is new in a later file comes after them. A freedom of 0 numbers the minimal degenerate
@@ -84,4 +84,4 @@ struct ChainCounts {
 /// "2-4/1 3-4/1": the gears of each pair and their carrier.
 [[nodiscard]] std::string meshesText(const Chain& chain);
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -2,9 +2,9 @@
 
 #include <span>
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// The bytes of resources/atlas/chains.txt, as a list of one file.
 [[nodiscard]] std::span<const std::span<const unsigned char>> atlasFiles();
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

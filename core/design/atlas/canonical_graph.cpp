@@ -10,7 +10,7 @@
 
 static_assert(HAVE_TLS == 1, "nauty has to keep its work space per thread");
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 static_assert(sizeof(::graph) == sizeof(std::uint64_t));
@@ -59,4 +59,4 @@ CanonicalGraph canonicalGraph(const ColouredGraph& graph) {
   return result;
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// A simple undirected graph with coloured vertices 0..colours.size()-1; colours are small numbers from 0 on.
 struct ColouredGraph {
@@ -27,4 +27,4 @@ struct CanonicalGraph {
 /// Cost: some microseconds for a dozen vertices; exponential for graphs made to be hard.
 [[nodiscard]] CanonicalGraph canonicalGraph(const ColouredGraph& graph);
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/disjoint_sets.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 /// The biconnected components of the graph of links and meshes (a mesh is joined to its gears and its
@@ -181,4 +181,4 @@ std::vector<int> linksOf(const Chain& chain, const std::vector<int>& meshes) {
   return {links.begin(), links.end()};
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// A gear pair of a chain: links `tail` and `head` turn on different axes of the link `carrier`.
 struct ChainMesh {
@@ -52,4 +52,4 @@ struct Chain {
 /// The links in these meshes, as gears or carriers, ascending.
 [[nodiscard]] std::vector<int> linksOf(const Chain& chain, const std::vector<int>& meshes);
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

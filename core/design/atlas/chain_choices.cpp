@@ -6,7 +6,7 @@
 
 #include "core/design/atlas/chain_form.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 /// s^(s-2) trees on the links of an axis, all axes multiplied; std::nullopt beyond 63 bits.
@@ -151,4 +151,4 @@ std::optional<ChainChoices> choicesOf(const Chain& chain, std::span<const Signed
   return choices;
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

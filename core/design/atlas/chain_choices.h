@@ -11,7 +11,7 @@
 #include "core/design/atlas/chain.h"
 #include "core/design/atlas/chain_freedom.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// Two links that turn about one axis, the first before the second: a turning joint that may be drawn.
 using TurningPair = std::pair<int, int>;
@@ -41,4 +41,4 @@ constexpr std::int64_t kMaxInputTrials = 200'000;
 [[nodiscard]] std::optional<ChainChoices> choicesOf(const Chain& chain, std::span<const SignedTeeth> teeth,
                                                     std::size_t most, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

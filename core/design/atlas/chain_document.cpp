@@ -9,30 +9,30 @@
 #include <tuple>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/foundations/base/translation.h"
+#include "core/machine/body_layout/derived_geometry.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 constexpr double kPolygonSide = 60;   ///< mm, between neighbouring axes of a link
-constexpr double kFewestApart = 20;   ///< mm, between axes that have no link in common
+constexpr double kMinApart = 20;      ///< mm, between axes that have no link in common
 constexpr double kNodeSpacing = 110;  ///< of the digraph's nodes
 
 AxisId documentAxis(std::size_t axis) {
   return AxisId(std::string(1, static_cast<char>('a' + static_cast<int>(axis))));
 }
 
-struct PlanePoint {
+struct ChainPoint {
   double x = 0;
   double y = 0;
 };
 
-double distanceOf(const PlanePoint& a, const PlanePoint& b) {
+double distanceOf(const ChainPoint& a, const ChainPoint& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-PlanePoint beside(const PlanePoint& point, double distance, double angle) {
+ChainPoint beside(const ChainPoint& point, double distance, double angle) {
   return {point.x + distance * std::cos(angle), point.y + distance * std::sin(angle)};
 }
 
@@ -55,7 +55,7 @@ class AxisPolygons {
     for (std::size_t next = 0; next < m_linkOrder.size(); ++next) place(m_linkOrder[next]);
   }
 
-  [[nodiscard]] const std::vector<PlanePoint>& points() const { return m_points; }
+  [[nodiscard]] const std::vector<ChainPoint>& points() const { return m_points; }
   /// By axis: its link nearest the frame.
   [[nodiscard]] int rootLink(std::size_t axis) const { return m_rootLink[axis]; }
   /// By link: its axis nearest the frame; -1 for the frame.
@@ -128,7 +128,7 @@ class AxisPolygons {
 
   /// Away from the frame where the polygon comes near no axis that is there.
   void turnToFreeSpace(int carrier, const std::vector<int>& axes, std::size_t placed) {
-    const PlanePoint corner = placed == 1 ? m_points[static_cast<std::size_t>(axes.front())] : PlanePoint();
+    const ChainPoint corner = placed == 1 ? m_points[static_cast<std::size_t>(axes.front())] : ChainPoint();
     const double away = std::hypot(corner.x, corner.y) > 1 ? std::atan2(corner.y, corner.x) : 0;
     constexpr int kTurns = 24;
     for (int turn = 0; turn < kTurns; ++turn) {
@@ -139,11 +139,11 @@ class AxisPolygons {
     }
   }
 
-  void setPolygon(const std::vector<int>& axes, const PlanePoint& corner, double direction, double side,
+  void setPolygon(const std::vector<int>& axes, const ChainPoint& corner, double direction, double side,
                   std::size_t placed) {
     const auto count = static_cast<double>(axes.size());
     const double radius = axes.size() == 1 ? 0 : side / (2 * std::sin(std::numbers::pi / count));
-    const PlanePoint centre = beside(corner, radius, direction);
+    const ChainPoint centre = beside(corner, radius, direction);
     for (std::size_t i = placed; i < axes.size(); ++i) {
       const double angle =
           direction + std::numbers::pi + 2 * std::numbers::pi * static_cast<double>(i) / count;
@@ -155,7 +155,7 @@ class AxisPolygons {
     for (std::size_t i = placed; i < axes.size(); ++i) {
       for (const int other : m_placed) {
         if (distanceOf(m_points[static_cast<std::size_t>(axes[i])],
-                       m_points[static_cast<std::size_t>(other)]) < kFewestApart)
+                       m_points[static_cast<std::size_t>(other)]) < kMinApart)
           return false;
       }
     }
@@ -165,7 +165,7 @@ class AxisPolygons {
   const Chain& m_chain;
   double m_growth;
   std::vector<double> m_side;  ///< by link: of the polygon of its axes, mm
-  std::vector<PlanePoint> m_points;
+  std::vector<ChainPoint> m_points;
   std::vector<int> m_rootLink;
   std::vector<int> m_rootAxis;
   std::vector<int> m_linkOrder;
@@ -257,7 +257,7 @@ Mechanism documentOf(const Chain& chain, const std::string& name, int frame, con
   document.links.clear();
   document.view.nodes.clear();
   for (std::size_t a = 0; a < chain.axes.size(); ++a) {
-    const PlanePoint& point = polygons.points()[a];
+    const ChainPoint& point = polygons.points()[a];
     document.axes.push_back({documentAxis(a),
                              NumberTriple{hundredths(point.x), hundredths(point.y), Number(0)},
                              NumberTriple{Number(0), Number(0), Number(1)},
@@ -311,4 +311,4 @@ Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing
   return *std::move(best);
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

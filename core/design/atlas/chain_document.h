@@ -8,7 +8,7 @@
 #include "core/design/atlas/chain.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// What a chain leaves open that a document states.
 struct ChainDrawing {
@@ -36,4 +36,4 @@ struct ChainDrawing {
 [[nodiscard]] Mechanism chainDocument(const Chain& chain, std::string name, const ChainDrawing& drawing = {},
                                       const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/design/atlas/chain_freedom.h"
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 /// Chains by their form: one of each class.
@@ -130,4 +130,4 @@ std::vector<std::vector<Chain>> enumerateLockedChains(int links, const std::stop
   return groupedByEquations(locked);
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

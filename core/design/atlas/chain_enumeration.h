@@ -5,7 +5,7 @@
 
 #include "core/design/atlas/chain.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// Every tree of this many links and any number of axes, up to isomorphism, as chains without meshes: grown
 /// by one link at a time on an axis that is there or on a new one. 1, 1, 2, 4, 9, 22 for 1..6 links.
@@ -29,4 +29,4 @@ namespace geargraph::inline atlas {
 [[nodiscard]] std::vector<std::vector<Chain>> enumerateLockedChains(int links,
                                                                     const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

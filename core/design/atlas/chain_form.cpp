@@ -6,7 +6,7 @@
 
 #include "core/design/atlas/canonical_graph.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 enum VertexColour { kLinkColour = 0, kAxisColour = 1, kMeshColour = 1, kCarrierColour = 2, kAgainColour = 2 };
@@ -78,4 +78,4 @@ std::optional<std::vector<int>> isomorphism(const Chain& a, const Chain& b, Chai
   return image;
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/design/atlas/chain.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// Equal for two chains if and only if they are isomorphic. Not the same in all versions of nauty: compare,
 /// never store.
@@ -30,4 +30,4 @@ enum class ChainLikeness { displacement, rotation };
 [[nodiscard]] std::optional<std::vector<int>> isomorphism(const Chain& a, const Chain& b,
                                                           ChainLikeness likeness);
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

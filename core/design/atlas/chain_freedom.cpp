@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 /// splitmix64, which is the same everywhere.
@@ -98,4 +98,4 @@ ChainMotion genericMotion(const Chain& chain, std::uint64_t seed, const std::sto
   return chainMotion(chain, teeth, stop);
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/design/atlas/chain.h"
 #include "core/design/atlas/residue_rows.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 constexpr int kMaxCountedMeshes = 20;
 
@@ -54,4 +54,4 @@ struct ChainMotion {
 [[nodiscard]] ChainMotion genericMotion(const Chain& chain, std::uint64_t seed = 1,
                                         const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

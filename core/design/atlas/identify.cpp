@@ -11,7 +11,7 @@
 #include "core/mechanism/model/validate.h"
 #include "core/mechanism/placement/planet_groups.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 namespace {
 
 /// What the meshes of a group of planets say about the links outside of it: the reduced equations of these
@@ -43,8 +43,8 @@ std::vector<ResidueRow> equationsOutside(const DrawnChain& drawn, const PlanetGr
 /// one axis, as the pinions of a bevel differential.
 std::vector<std::vector<PlanetGroup>> equalLinks(const Placement& placement, const DrawnChain& drawn) {
   std::vector<bool> carries(static_cast<std::size_t>(drawn.chain.links));
-  for (const auto& axisClass : placement.classes->classes)
-    carries[static_cast<std::size_t>(static_cast<int>(axisClass.rootLink))] = true;
+  for (const auto& axisGroup : placement.classes->classes)
+    carries[static_cast<std::size_t>(static_cast<int>(axisGroup.rootLink))] = true;
   std::vector<std::vector<int>> meshesOf(carries.size());
   for (std::size_t m = 0; m < drawn.chain.meshes.size(); ++m) {
     meshesOf[static_cast<std::size_t>(drawn.chain.meshes[m].tail)].push_back(static_cast<int>(m));
@@ -184,7 +184,7 @@ Expected<DrawnChain> drawnChain(const Mechanism& mechanism, const Placement& pla
   if (!placement.tree) return treeDiagnostics(mechanism);
   DrawnChain drawn;
   drawn.chain.links = static_cast<int>(mechanism.links.size());
-  const AxisClasses& classes = *placement.classes;
+  const AxisGroups& classes = *placement.classes;
   drawn.chain.axes.resize(classes.classes.size());
   for (std::size_t c = 0; c < classes.classes.size(); ++c)
     drawn.chain.axes[c].push_back(classes.classes[static_cast<int>(c)].rootLink);
@@ -271,4 +271,4 @@ std::optional<TrainMatch> matchOf(const TrainIdentity& a, const TrainIdentity& b
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -12,7 +12,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 /// A drawn train as a chain: link i is the document's link i, mesh m its mesh m, axes are its axis classes.
 struct DrawnChain {
@@ -92,4 +92,4 @@ constexpr int kMaxMatchedLinks = 300;
 /// differ. @pre at most kMaxMatchedLinks links stay of each
 [[nodiscard]] std::optional<TrainMatch> matchOf(const TrainIdentity& a, const TrainIdentity& b);
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 std::vector<std::size_t> reduceRows(const PrimeField& field, std::vector<ResidueRow>& rows,
                                     const std::stop_token& stop) {
@@ -29,4 +29,4 @@ std::vector<std::size_t> reduceRows(const PrimeField& field, std::vector<Residue
   return pivots;
 }
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline atlas {
+namespace geargraph {
 
 using ResidueRow = std::vector<PrimeField::Residue>;
 
@@ -16,4 +16,4 @@ using ResidueRow = std::vector<PrimeField::Residue>;
 std::vector<std::size_t> reduceRows(const PrimeField& field, std::vector<ResidueRow>& rows,
                                     const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline atlas
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/design/collision/collision_shape.h"
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 namespace {
 
 /// Distances are asked for up to this relative error, which is on the safe side of what is stepped.
@@ -81,4 +81,4 @@ std::optional<double> CollisionPair::firstContact(double until, std::int64_t& bu
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/design/collision/relative_motion.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 
 /// The resolution of a collision check in time.
 struct CollisionResolution {
@@ -43,4 +43,4 @@ class CollisionPair {
   double m_precision;  ///< s
 };
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

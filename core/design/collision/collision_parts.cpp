@@ -6,11 +6,11 @@
 
 #include "core/design/collision/collision_shape.h"
 #include "core/foundations/base/contract.h"
-#include "core/machine/bodies/body_recipe.h"
+#include "core/machine/body_layout/body_recipe.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/part_solids.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector2d;
@@ -123,4 +123,4 @@ double reachFrom(const CollisionPart& part, const Vector3d& point) {
   return reach;
 }
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/machine/train/train.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 
 /// The triangles of a part in a bounding volume hierarchy of FCL.
 class CollisionShape;
@@ -52,4 +52,4 @@ struct AxialExtent {
 /// The greatest distance of the part's points from a point. Cost: O(vertices).
 [[nodiscard]] double reachFrom(const CollisionPart& part, const Eigen::Vector3d& point);
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

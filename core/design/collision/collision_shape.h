@@ -7,7 +7,7 @@
 
 #include "core/design/collision/collision_parts.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 
 class CollisionShape {
  public:
@@ -22,4 +22,4 @@ class CollisionShape {
   std::unique_ptr<Model> m_model;
 };
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

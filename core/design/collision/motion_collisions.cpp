@@ -16,7 +16,7 @@
 #include "core/design/collision/collision_pair.h"
 #include "core/design/collision/collision_shape.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -150,4 +150,4 @@ MotionCheck motionCollisions(std::span<const CollisionPart> parts, const JointRa
   return MotionSearch(parts, motion, range, stop, options).run();
 }
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/design/collision/relative_motion.h"
 #include "core/theory/pose/joint_limits.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 
 /// A collision of two links in motion.
 struct MotionCollision {
@@ -64,4 +64,4 @@ struct MotionCheckOptions {
                                            const MotionRange& range, const std::stop_token& stop = {},
                                            const MotionCheckOptions& options = {});
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

@@ -7,15 +7,15 @@
 #include <sstream>
 #include <utility>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/machine/train/train.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/pose/turning_lines.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 namespace {
 
 /// Joints times inputs up to which rates are solved in fractions, which periods need.
@@ -31,7 +31,7 @@ std::string rounded(double value) {
   const double unit = std::pow(10, decimals);
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << std::round(value * unit) / unit + 0.0;
-  return spokenNumber(text.str());
+  return localizedNumber(text.str());
 }
 
 std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
@@ -173,4 +173,4 @@ std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* rep
                     {secondsText(check.to)});
 }
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

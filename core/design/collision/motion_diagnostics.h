@@ -7,7 +7,7 @@
 #include "core/design/collision/motion_collisions.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 
 /// Larger mechanisms are not checked, because all pairs of parts would have to be compared.
 constexpr int kMaxCheckedLinks = 300;
@@ -40,4 +40,4 @@ struct MotionReport {
 /// null).
 [[nodiscard]] std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report);
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

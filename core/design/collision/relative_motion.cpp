@@ -6,7 +6,7 @@
 
 #include "core/theory/pose/period.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -196,4 +196,4 @@ Eigen::AlignedBox3d sweptBox(const JointRates& motion, const CollisionPart& part
   return box;
 }
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

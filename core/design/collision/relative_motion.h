@@ -10,7 +10,7 @@
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph::inline collision {
+namespace geargraph {
 
 /// The motion of the joints: constant rates from the reference pose.
 struct JointRates {
@@ -65,4 +65,4 @@ struct PairBounds {
 /// A box that contains a part in all poses, base frame. Cost: O(depth).
 [[nodiscard]] Eigen::AlignedBox3d sweptBox(const JointRates& motion, const CollisionPart& part);
 
-}  // namespace geargraph::inline collision
+}  // namespace geargraph

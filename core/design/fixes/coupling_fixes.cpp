@@ -1,17 +1,17 @@
 #include <algorithm>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/states/state_edits.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 
 std::vector<Fix> couplingFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
   std::vector<Fix> fixes;
   for (const ElementId& element : diagnostic.elements) {
     if (element.kind != ElementKind::coupling) continue;
-    const CouplingId coupling(element.id);
+    const ShiftElementId coupling(element.id);
     fixes.push_back(
         {translated("Release %1", {wordFor(mechanism, element)}),
          [coupling](const Mechanism& before) { return withCouplingEngaged(before, coupling, false); }});
@@ -24,4 +24,4 @@ std::vector<Fix> couplingFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   });
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

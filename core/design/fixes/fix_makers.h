@@ -2,7 +2,7 @@
 
 #include "core/design/fixes/fixes.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 
 // The parts of fixesFor(), by diagnostic. Each may return more than kMaxFixes, the best first.
 
@@ -44,4 +44,4 @@ template <class StillWrong>
   return fixes;
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

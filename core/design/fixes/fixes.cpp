@@ -3,10 +3,10 @@
 #include <array>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
@@ -57,8 +57,8 @@ std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
     case ElementKind::gearMesh:
       return translated("mesh %1", {label});
     case ElementKind::coupling: {
-      const Coupling* coupling = mechanism.find(CouplingId(element.id));
-      return couplingName(coupling == nullptr ? CouplingKind::clutch : coupling->kind, element.id.text());
+      const ShiftElement* coupling = mechanism.find(ShiftElementId(element.id));
+      return couplingName(coupling == nullptr ? ShiftElementKind::clutch : coupling->kind, element.id.text());
     }
     default:
       return label;
@@ -76,4 +76,4 @@ std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& 
   return fixes;
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

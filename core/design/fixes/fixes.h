@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 
 /// A quick fix for a diagnostic: the text of a button, "Delete joint 15", and its edit.
 struct Fix {
@@ -28,4 +28,4 @@ struct Fix {
 
 constexpr std::size_t kMaxFixes = 3;
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

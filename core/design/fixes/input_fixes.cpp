@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 /// The inputs as they are where they stay, the others at 1 rad/s, in the order of the wanted ones:
@@ -58,4 +58,4 @@ std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot) {
   return fixes;
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 constexpr double kWhole = 1e-6;  // teeth: how far from a whole number decimals in a file may lead
@@ -117,7 +117,7 @@ std::vector<Fix> axisFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   if (diagnostic.elements.empty() || !snapshot.kinematics || !snapshot.kinematics->placement().classes)
     return {};
   const AxisId axis(diagnostic.elements.front().id);
-  const AxisClasses& classes = *snapshot.kinematics->placement().classes;
+  const AxisGroups& classes = *snapshot.kinematics->placement().classes;
   std::vector<int> known;
   std::vector<std::vector<JointId>> groups;
   for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {
@@ -155,4 +155,4 @@ std::vector<Fix> meshFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   }
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

@@ -3,11 +3,11 @@
 #include <set>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/words.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/foundations/base/translation.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxTriedLinks = 20;  // each try arranges the whole train
@@ -91,4 +91,4 @@ std::vector<Fix> overlapFixes(const Diagnostic& diagnostic, const AnalysisSnapsh
   return fix ? std::vector<Fix>{*fix} : std::vector<Fix>{};
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

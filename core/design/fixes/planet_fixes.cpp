@@ -3,15 +3,15 @@
 
 #include "core/design/fixes/fix_makers.h"
 #include "core/design/synthesis/planets.h"
-#include "core/foundations/base/words.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/foundations/base/translation.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/train/toothed_train.h"
 #include "core/machine/train/train_diagnostics.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/planet_groups.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 constexpr int kMinPlanetTeeth = 8;
@@ -150,4 +150,4 @@ std::vector<Fix> unequalPlanetFixes(const Diagnostic& diagnostic, const Mechanis
   return fixes;
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

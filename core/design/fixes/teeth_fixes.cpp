@@ -3,11 +3,11 @@
 #include <set>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/words.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/foundations/base/translation.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxTriedLinks = 40;  // a try takes some ten times as long as the analysis of so small a train
@@ -214,4 +214,4 @@ std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot
   }
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

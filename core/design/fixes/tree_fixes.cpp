@@ -2,10 +2,10 @@
 #include <unordered_map>
 
 #include "core/design/fixes/fix_makers.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline fixes {
+namespace geargraph {
 namespace {
 
 /// One link of every part that hangs loose: the first of each in the document's order. Tying it ties the
@@ -104,4 +104,4 @@ std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   return loopFixes(diagnostic, snapshot);
 }
 
-}  // namespace geargraph::inline fixes
+}  // namespace geargraph

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMostGears = 16;
+constexpr std::size_t kMaxRefinedGears = 16;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 /// Solves the normal equations (J^T J + damping) x = J^T r of at most kMaxSets unknowns by elimination.
@@ -86,26 +86,26 @@ bool StateRatios::at(std::span<const double> k, std::span<const std::array<Eleme
 
 double refineK(const StateRatios& ratios, std::span<const std::array<ElementLinks, 3>> states,
                std::span<const double> logs, bool negative, double least, double most, std::span<double> k) {
-  constexpr int kMostSteps = 16;
+  constexpr int kMaxSteps = 16;
   constexpr double kDifference = 1e-6;
   const std::size_t count = logs.size();
   const std::size_t unknowns = k.size();
-  std::array<double, kMostGears> values{};
-  std::array<double, kMostGears> residuals{};
-  std::array<std::array<double, kMaxSets>, kMostGears> gradients{};
-  const auto part = [count](std::array<double, kMostGears>& all) { return std::span(all).first(count); };
+  std::array<double, kMaxRefinedGears> values{};
+  std::array<double, kMaxRefinedGears> residuals{};
+  std::array<std::array<double, kMaxSets>, kMaxRefinedGears> gradients{};
+  const auto part = [count](std::array<double, kMaxRefinedGears>& all) { return std::span(all).first(count); };
   if (!ratios.at(k, states, part(values)) || !residualsOf(part(values), logs, negative, part(residuals)))
     return kNone;
   double squares = squaresOf(part(residuals));
   double damping = 1e-9;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     if (step == 4 && largestOf(part(residuals)) > 0.2) return kNone;
     if (step == 8 && largestOf(part(residuals)) > 0.08) return kNone;
     for (std::size_t set = 0; set < unknowns; ++set) {
       std::array<double, kMaxSets> moved{};
       std::copy(k.begin(), k.end(), moved.begin());
       moved[set] *= 1 + kDifference;
-      std::array<double, kMostGears> other{};
+      std::array<double, kMaxRefinedGears> other{};
       if (!ratios.at(std::span(moved).first(unknowns), states, part(other))) return kNone;
       for (std::size_t i = 0; i < count; ++i)
         gradients[i][set] = std::log(std::abs(other[i] / values[i])) / kDifference;
@@ -120,8 +120,8 @@ double refineK(const StateRatios& ratios, std::span<const std::array<ElementLink
       next[set] = std::clamp(k[set] * std::exp(std::clamp(move[set], -0.5, 0.5)), least, most);
       length = std::max(length, std::abs(next[set] / k[set] - 1));
     }
-    std::array<double, kMostGears> nextResiduals{};
-    std::array<double, kMostGears> nextValues{};
+    std::array<double, kMaxRefinedGears> nextResiduals{};
+    std::array<double, kMaxRefinedGears> nextValues{};
     const bool isThere = ratios.at(std::span(next).first(unknowns), states, part(nextValues)) &&
                          residualsOf(part(nextValues), logs, negative, part(nextResiduals));
     if (!isThere || squaresOf(part(nextResiduals)) > squares * (1 + 1e-12)) {
@@ -139,4 +139,4 @@ double refineK(const StateRatios& ratios, std::span<const std::array<ElementLink
   return largestOf(part(residuals));
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

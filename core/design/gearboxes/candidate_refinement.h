@@ -2,7 +2,7 @@
 
 #include "core/design/gearboxes/layout_search.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// Ratios of input to output in states of one layout, at any k.
 class StateRatios {
@@ -29,4 +29,4 @@ class StateRatios {
                              std::span<const double> logs, bool negative, double least, double most,
                              std::span<double> k);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

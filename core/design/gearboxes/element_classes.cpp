@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -99,4 +99,4 @@ StateList gearStates(const BasicSets& sets, const GearLayout& layout, int shafts
   return list;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

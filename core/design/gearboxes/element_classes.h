@@ -5,7 +5,7 @@
 #include "core/design/gearboxes/gear_layout.h"
 #include "core/design/gearboxes/speed_space.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// A brake or a clutch between two links, by their numbers; `b` 0: a brake of `a`.
 struct ElementLinks {
@@ -111,4 +111,4 @@ template <class Numbers>
   return rowProduct(factors, engaged[last], freedom, numbers);
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

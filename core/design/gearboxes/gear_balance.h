@@ -2,7 +2,7 @@
 
 #include "core/design/gearboxes/gearbox.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// Speeds and torques of one gear, for the input at speed 1 under a torque of 1, without losses.
 template <class Value>
@@ -79,4 +79,4 @@ template <class Numbers>
   return balance;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/design/gearboxes/speed_space.h"
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 /// The orders of the sets in which equal ones are exchanged; a Ravigneaux set moves with both its parts.
@@ -55,9 +55,10 @@ GearLayout renumbered(const GearLayout& layout, const std::vector<int>& order, i
 }
 
 using ResidueSpace = SpeedSpace<PrimeField::Residue>;
-using ResidueRow = std::array<PrimeField::Residue, kMaxFreedom>;
+using LayoutResidues = std::array<PrimeField::Residue, kMaxFreedom>;
 
-bool areParallel(const ResidueRow& a, const ResidueRow& b, int freedom, const ResidueNumbers& numbers) {
+bool areParallel(const LayoutResidues& a, const LayoutResidues& b, int freedom,
+                 const ResidueNumbers& numbers) {
   for (int i = 0; i < freedom; ++i) {
     for (int j = i + 1; j < freedom; ++j) {
       const auto x = static_cast<std::size_t>(i);
@@ -200,4 +201,4 @@ std::optional<std::vector<GearLayout>> gearLayouts(const LayoutLimits& limits, c
   return found;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

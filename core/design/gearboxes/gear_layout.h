@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 constexpr int kMaxSets = 4;    ///< a Ravigneaux set counts twice
 constexpr int kMaxShafts = 9;  ///< rotating links, the input shaft too
@@ -66,4 +66,4 @@ struct LayoutLimits {
 [[nodiscard]] std::optional<std::vector<GearLayout>> gearLayouts(const LayoutLimits& limits,
                                                                  const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -8,12 +8,12 @@
 #include "core/design/gearboxes/candidate_refinement.h"
 #include "core/design/gearboxes/gear_balance.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMostOptions = 24;    ///< tooth counts of a set that are combined
-constexpr std::size_t kMostChecked = 16;    ///< combinations that are computed in fractions
-constexpr std::size_t kMostVariants = 512;  ///< choices of elements that are compared
+constexpr std::size_t kMaxOptions = 24;    ///< tooth counts of a set that are combined
+constexpr std::size_t kMaxChecked = 16;    ///< combinations that are computed in fractions
+constexpr std::size_t kMaxVariants = 512;  ///< choices of elements that are compared
 
 std::vector<Rational> ringRatios(const std::vector<TeethOption>& teeth) {
   std::vector<Rational> k;
@@ -35,9 +35,9 @@ std::string gearName(const GearboxWish& wish, std::size_t gear) {
 
 /// Whole teeth for a candidate: combinations of the sets' tooth counts, by the error that the gradients at
 /// the refined ring ratios foretell, the first few of them checked in fractions.
-class TeethChoice {
+class LayoutTeeth {
  public:
-  TeethChoice(const GearboxWish& wish, const GearboxCandidate& candidate)
+  LayoutTeeth(const GearboxWish& wish, const GearboxCandidate& candidate)
       : m_wish(wish), m_candidate(candidate), m_sets(basicSets(wish.limits.kinds)) {
     for (const auto& gear : candidate.gears) {
       std::array<ElementLinks, 3> links{};
@@ -82,7 +82,7 @@ class TeethChoice {
     for (const SetKind kind : m_wish.limits.kinds) {
       const std::size_t parts = kind == SetKind::ravigneaux ? 2 : 1;
       m_options.push_back(
-          teethNear(kind, std::span(m_candidate.k).subspan(set, parts), m_wish.teeth, window, kMostOptions));
+          teethNear(kind, std::span(m_candidate.k).subspan(set, parts), m_wish.teeth, window, kMaxOptions));
       if (m_options.back().empty()) return false;
       set += parts;
     }
@@ -144,10 +144,10 @@ class TeethChoice {
   void keep(double miss, const Places& places) {
     constexpr double kFar = 3;  // beyond what the second order of the moves can mend
     if (miss > kFar) return;
-    if (m_foretold.size() == kMostChecked && miss >= m_foretold.back().first) return;
+    if (m_foretold.size() == kMaxChecked && miss >= m_foretold.back().first) return;
     const std::pair<double, Places> entry(miss, places);
     m_foretold.insert(std::upper_bound(m_foretold.begin(), m_foretold.end(), entry), entry);
-    if (m_foretold.size() > kMostChecked) m_foretold.pop_back();
+    if (m_foretold.size() > kMaxChecked) m_foretold.pop_back();
   }
 
   [[nodiscard]] std::optional<std::vector<GearState>> exactStates(
@@ -256,7 +256,7 @@ bool chooseVariants(const GearboxWish& wish, const BasicSets& sets, const std::v
   std::optional<Demand> least;
   std::vector<ElementLinks> best;
   std::size_t tried = 0;
-  for (bool more = true; more && tried < kMostVariants; ++tried) {
+  for (bool more = true; more && tried < kMaxVariants; ++tried) {
     gearbox.elements.clear();
     for (std::size_t i = 0; i < classes.size(); ++i) gearbox.elements.push_back(classes[i].variants[at[i]]);
     const auto brakes =
@@ -381,7 +381,7 @@ std::optional<Gearbox> judged(const GearboxWish& wish, const GearboxCandidate& c
   const BasicSets sets = basicSets(wish.limits.kinds);
   Gearbox gearbox;
   gearbox.layout = candidate.layout;
-  if (!TeethChoice(wish, candidate).choose(gearbox.teeth, gearbox.gears)) return std::nullopt;
+  if (!LayoutTeeth(wish, candidate).choose(gearbox.teeth, gearbox.gears)) return std::nullopt;
   ++counts.teeth;
   if (!chooseVariants(wish, sets, candidate.elements, gearbox)) return std::nullopt;
   ++counts.elements;
@@ -408,7 +408,7 @@ std::optional<Gearbox> evaluated(const GearboxWish& wish, Gearbox gearbox) {
   }
   for (std::size_t i = 0; i < gearbox.teeth.size(); ++i) {
     TeethOption& option = gearbox.teeth[i];
-    for (int planets = kFewestPlanets; planets <= kMostPlanets; ++planets) {
+    for (int planets = kMinPlanets; planets <= kMaxPlanets; ++planets) {
       if (planetsFit(wish.limits.kinds[i], option.parts, planets)) option.planets.push_back(planets);
     }
     if (option.planets.empty()) return std::nullopt;
@@ -460,4 +460,4 @@ bool ranksBefore(const Gearbox& a, const Gearbox& b) {
   return a.teeth < b.teeth;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

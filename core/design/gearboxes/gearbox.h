@@ -8,7 +8,7 @@
 #include "core/design/gearboxes/section_rules.h"
 #include "core/design/gearboxes/set_teeth.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// What gears ask of the parts of a gearbox, for the input at speed and torque 1 without losses.
 struct GearMeasures {
@@ -75,4 +75,4 @@ struct JudgeCounts {
 /// the layout.
 [[nodiscard]] bool ranksBefore(const Gearbox& a, const Gearbox& b);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -6,11 +6,11 @@
 #include "core/design/synthesis/set_sketch.h"
 #include "core/design/synthesis/shifting_sets.h"
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/shift_statics.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 constexpr int kSetDistance = 60;  // along the axis, mm
@@ -274,4 +274,4 @@ GearboxCheck checkByDocument(const GearboxWish& wish, Gearbox& gearbox, bool sta
   return meetsLossLimits(wish, *gearbox.losses) ? GearboxCheck::right : GearboxCheck::limited;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/design/gearboxes/gearbox.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// The gearbox as a document: links in the order of the layout's numbers, one planet or pair of each set in
 /// its place, module 2 mm, brakes and clutches A, B, ..., a state for each gear; the first gear is engaged
@@ -28,4 +28,4 @@ enum class GearboxCheck : std::uint8_t {
 [[nodiscard]] GearboxCheck checkByDocument(const GearboxWish& wish, Gearbox& gearbox, bool statics,
                                            const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/design/gearboxes/gearbox_document.h"
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -321,4 +321,4 @@ std::optional<Gearbox> gearboxFromRecord(const GearboxWish& wish, JsonValue reco
   return evaluated(wish, std::move(gearbox));
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

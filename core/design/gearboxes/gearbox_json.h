@@ -7,7 +7,7 @@
 #include "core/design/gearboxes/gearbox_run.h"
 #include "core/foundations/files/json.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// The result of a search as the format "geargraph-gearboxes" (resources/schema/README.md): the first `limit`
 /// gearboxes, all if it is negative, each with the losses and circulating power of its gears. std::nullopt
@@ -26,4 +26,4 @@ namespace geargraph::inline gearboxes {
 /// One name that tells a link of an element.
 [[nodiscard]] std::string linkWord(const BasicSets& sets, const GearLayout& layout, int link);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

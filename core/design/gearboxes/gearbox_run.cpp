@@ -10,7 +10,7 @@
 
 #include "core/design/gearboxes/gearbox_document.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 /// The layouts of one shard, searched block by block on several threads; blocks are passed on in their order.
@@ -150,4 +150,4 @@ std::optional<GearboxSearch> findGearboxes(const GearboxWish& wish, const Gearbo
   return result;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/design/gearboxes/gearbox.h"
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// The layouts with index = part modulo count of the ordered list: what one of several machines searches.
 struct Shard {
@@ -55,4 +55,4 @@ struct GearboxRunOptions {
 /// Layouts in one block of findGearboxes().
 constexpr std::int64_t kBlockLayouts = 64;
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

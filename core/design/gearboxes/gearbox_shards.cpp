@@ -6,15 +6,15 @@
 
 #include "core/design/gearboxes/gearbox_json.h"
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kShardFormat = "geargraph-gearbox-shard";
 constexpr std::string_view kProgressFormat = "geargraph-gearbox-progress";
-constexpr std::int64_t kMostLayouts = std::int64_t{1} << 40U;
+constexpr std::int64_t kMaxLayouts = std::int64_t{1} << 40U;
 
 /// FNV-1a, 64 bits: tells wishes apart, and protects against nothing else.
 std::string hashOf(std::string_view text) {
@@ -52,7 +52,7 @@ std::optional<std::int64_t> wholeMemberOf(const JsonValue& object, std::string_v
   const auto value = object.is(JsonKind::object) ? object.member(name) : std::nullopt;
   if (!value || !value->is(JsonKind::number)) return std::nullopt;
   const auto exact = Rational::fromText(value->slice());
-  if (!exact || !exact->isInteger() || exact->sign() < 0 || *exact > Rational(kMostLayouts))
+  if (!exact || !exact->isInteger() || exact->sign() < 0 || *exact > Rational(kMaxLayouts))
     return std::nullopt;
   return static_cast<std::int64_t>(exact->toDouble());
 }
@@ -299,4 +299,4 @@ Expected<ShardProgress> readProgress(const GearboxWish& wish, const Shard& shard
   return progress;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

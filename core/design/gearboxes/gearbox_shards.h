@@ -7,7 +7,7 @@
 #include "core/design/gearboxes/gearbox_run.h"
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// Raised whenever the same wish is answered by other bytes: files of different searches are not merged.
 constexpr int kSearchVersion = 1;
@@ -49,4 +49,4 @@ struct ShardProgress {
 [[nodiscard]] Expected<ShardProgress> readProgress(const GearboxWish& wish, const Shard& shard,
                                                    std::string_view text);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

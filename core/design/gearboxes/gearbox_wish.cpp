@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/design/gearboxes/wish_members.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kKinds =
@@ -178,4 +178,4 @@ SearchProblem searchProblem(const GearboxWish& wish) {
   return problem;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

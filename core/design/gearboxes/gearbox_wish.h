@@ -10,7 +10,7 @@
 #include "core/design/gearboxes/wanted_ratio.h"
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 constexpr std::size_t kMaxGears = 12;  ///< forward
 constexpr int kMaxElements = 8;
@@ -61,4 +61,4 @@ struct GearboxWish {
 /// The wish as the search in doubles takes it.
 [[nodiscard]] SearchProblem searchProblem(const GearboxWish& wish);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

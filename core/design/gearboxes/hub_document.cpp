@@ -4,9 +4,9 @@
 
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 constexpr int kHubSetDistance = 90;  // along the axis, mm
@@ -215,4 +215,4 @@ Mechanism hubDocument(const HubCandidate& candidate) {
   return HubSketch(candidate).build();
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/design/gearboxes/hub_search.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// A hub gear as a document: its sets in series on one axis, one stepped planet of each in its place, module
 /// 2 mm; a brake for each sun, clutches A, B, ... that pass the motion through a set or exchange ring and
@@ -12,4 +12,4 @@ namespace geargraph::inline gearboxes {
 /// Within the slack the wheels' pitch circles follow from the centre distance.
 [[nodiscard]] Mechanism hubDocument(const HubCandidate& candidate);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 using Row = JsonWriter::Layout;
@@ -166,4 +166,4 @@ std::string hardwareJson(const HubWish& wish, const HubSearch& search, std::int6
   return sink.take();
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

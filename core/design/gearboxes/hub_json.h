@@ -6,7 +6,7 @@
 
 #include "core/design/gearboxes/hub_search.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// The wheels that have the same teeth in all candidates that can be assembled.
 [[nodiscard]] std::vector<std::pair<std::string, int>> sharedWheels(const HubSearch& search);
@@ -20,4 +20,4 @@ namespace geargraph::inline gearboxes {
 /// negative; what they share and what decides between them is of all.
 [[nodiscard]] std::string hardwareJson(const HubWish& wish, const HubSearch& search, std::int64_t limit);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <numeric>
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
-constexpr int kFewestHubPlanets = 2;
-constexpr int kMostHubPlanets = 8;
-constexpr int kMostHubSetTeeth = 200'000;  ///< tooth sets of one set that fit its own ratios
+constexpr int kMinHubPlanets = 2;
+constexpr int kMaxHubPlanets = 8;
+constexpr int kMaxHubSetTeeth = 200'000;  ///< tooth sets of one set that fit its own ratios
 
 /// What a sun has to do: the gears that its set alone makes with it.
 struct SunTask {
@@ -246,13 +246,13 @@ class SetTeethSearch {
   }
 
   void complete() {
-    if (m_found.size() >= kMostHubSetTeeth) return;
+    if (m_found.size() >= kMaxHubSetTeeth) return;
     for (const auto& [name, teeth] : hubWheels({{m_set}, {}})) {
       const auto counted = m_wish.counted.find(std::to_string(m_position + 1) + name.substr(1));
       if (counted != m_wish.counted.end() && counted->second != teeth) return;
     }
     HubSet set = m_set;
-    for (int planets = kFewestHubPlanets; planets <= kMostHubPlanets; ++planets) {
+    for (int planets = kMinHubPlanets; planets <= kMaxHubPlanets; ++planets) {
       if (planetsAssemble(set, planets) && hubPlanetsClear(set, planets)) set.planets.push_back(planets);
     }
     m_found.push_back(std::move(set));
@@ -372,7 +372,7 @@ int teethSum(const HubCandidate& candidate) {
 
 /// The least choice of numbers of planets among the sets.
 std::size_t planetChoices(const HubCandidate& candidate) {
-  std::size_t least = kMostHubPlanets;
+  std::size_t least = kMaxHubPlanets;
   for (const HubSet& set : candidate.sets) least = std::min(least, set.planets.size());
   return least;
 }
@@ -497,4 +497,4 @@ std::optional<HubSearch> findHubs(const HubWish& wish, const std::stop_token& st
   return search;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/design/gearboxes/hub_wish.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// One sun of a set with the step of the planets that it meshes with, and what holding it does.
 struct HubSun {
@@ -73,4 +73,4 @@ constexpr int kMeasuredTurns = 50;
 /// All wheels of a candidate by name.
 [[nodiscard]] std::vector<std::pair<std::string, int>> hubWheels(const HubCandidate& candidate);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

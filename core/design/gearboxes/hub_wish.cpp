@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/design/gearboxes/wish_members.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
-constexpr int kMostTeethOfHub = 400;
+constexpr int kMaxTeethOfHub = 400;
 
 /// "1.ring", "2.sun1", "1.planet3": a wheel of one of the sets.
 bool isWheelName(std::string_view name, const HubWish& wish) {
@@ -34,7 +34,7 @@ void readCounted(JsonObject& object, JsonDiagnostics& diagnostics, HubWish& wish
   value->forEachMember([&](JsonValue key, JsonValue) {
     const std::string name = key.string();
     if (isWheelName(name, wish)) {
-      wish.counted[name] = wholeMember(wheels, name, 1, kMostTeethOfHub, 1);
+      wish.counted[name] = wholeMember(wheels, name, 1, kMaxTeethOfHub, 1);
     } else {
       diagnostics.add(Code::schema,
                       translated("there is no wheel \"%1\"; wheels are named like \"1.ring\", \"2.sun1\", "
@@ -108,9 +108,9 @@ Expected<HubWish> readHubWish(std::string_view json) {
   requireTrue(object, "oneSunHeld",
               toTranslate("only sets of which one sun is held at a time are searched."));
   wish.isStepped = object.flag("stepped").value_or(true);
-  wish.planets = rangeMember(object, "planets", 4, kMostTeethOfHub, wish.planets);
-  wish.suns = rangeMember(object, "suns", 4, kMostTeethOfHub, wish.suns);
-  wish.rings = rangeMember(object, "rings", 8, kMostTeethOfHub, wish.rings);
+  wish.planets = rangeMember(object, "planets", 4, kMaxTeethOfHub, wish.planets);
+  wish.suns = rangeMember(object, "suns", 4, kMaxTeethOfHub, wish.suns);
+  wish.rings = rangeMember(object, "rings", 8, kMaxTeethOfHub, wish.rings);
   wish.slack = wholeMember(object, "slack", 0, 4, wish.slack);
   readCounted(object, diagnostics, wish);
   readMeasured(object, diagnostics, wish);
@@ -119,4 +119,4 @@ Expected<HubWish> readHubWish(std::string_view json) {
   return wish;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/design/gearboxes/wanted_ratio.h"
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 constexpr std::size_t kMaxHubRatios = 16;
 constexpr int kMaxHubSets = 3;
@@ -40,4 +40,4 @@ struct HubWish {
 /// place in the JSON.
 [[nodiscard]] Expected<HubWish> readHubWish(std::string_view json);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/design/gearboxes/candidate_refinement.h"
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 using Direction = std::array<double, kMaxFreedom>;
@@ -631,4 +631,4 @@ std::vector<GearboxCandidate> searchLayout(const SearchProblem& problem, const G
   return LayoutSearch(problem, layout, counts, stop).run();
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

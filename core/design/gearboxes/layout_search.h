@@ -7,7 +7,7 @@
 
 #include "core/design/gearboxes/element_classes.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// A ratio as the search in doubles sees it.
 struct RatioTarget {
@@ -66,4 +66,4 @@ struct SearchCounts {
 /// The grid of one set's k: the middles of cells of equal ratio.
 [[nodiscard]] std::vector<double> gridOf(const SearchProblem& problem);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -3,12 +3,12 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMostDistributions = 4096;
+constexpr std::size_t kMaxDistributions = 4096;
 
 using SectionGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
@@ -19,9 +19,9 @@ struct SectionEdge {
 
 /// The parts of a gearbox's section as vertices: the links, a hub for each carrier of a link that has
 /// several, housing and axis.
-class Section {
+class SectionPlan {
  public:
-  Section(const BasicSets& sets, const GearLayout& layout, int shafts)
+  SectionPlan(const BasicSets& sets, const GearLayout& layout, int shafts)
       : m_next(shafts + 1) {  // 0 is the housing
     std::vector<int> carriers(static_cast<std::size_t>(shafts) + 1, 0);
     for (std::size_t set = 0; set < sets.size(); ++set) {
@@ -75,7 +75,7 @@ class Section {
         if (link <= 0 || m_hubs[static_cast<std::size_t>(link)].empty()) continue;
         open.emplace_back(edge, isSecond);
         ways *= m_hubs[static_cast<std::size_t>(link)].size() + 1;
-        if (ways > kMostDistributions) ways = kMostDistributions;
+        if (ways > kMaxDistributions) ways = kMaxDistributions;
       }
     }
     for (std::size_t way = 0; way < ways; ++way) {
@@ -135,7 +135,7 @@ std::string sectionRuleReason(SectionRule rule) {
 
 std::optional<SectionRule> brokenSectionRule(const BasicSets& sets, const GearLayout& layout, int shafts,
                                              std::span<const ElementLinks> elements) {
-  Section section(sets, layout, shafts);
+  SectionPlan section(sets, layout, shafts);
   if (!section.canBeDrawn()) return SectionRule::shaftsNest;
   for (const ElementLinks& each : elements) {
     if (each.isBrake()) section.join(each.a, 0);
@@ -150,4 +150,4 @@ std::optional<SectionRule> brokenSectionRule(const BasicSets& sets, const GearLa
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

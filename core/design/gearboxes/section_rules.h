@@ -6,7 +6,7 @@
 
 #include "core/design/gearboxes/element_classes.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// The rules by which the section of a gearbox can be drawn in the half plane above its axis.
 enum class SectionRule : std::uint8_t {
@@ -27,9 +27,9 @@ constexpr std::size_t kSectionRuleCount = 4;
 /// shaft passes between them to the left and to the right; an element touches its two links. Whether
 /// regions can lie beside each other without crossing is decided by the planarity of a graph, tried for
 /// each way to distribute what is joined to a link among its several carriers.
-/// Cost: O(3^e) planarity tests for e joints of a link that has several carriers, at most kMostDistributions.
+/// Cost: O(3^e) planarity tests for e joints of a link that has several carriers, at most kMaxDistributions.
 [[nodiscard]] std::optional<SectionRule> brokenSectionRule(const BasicSets& sets, const GearLayout& layout,
                                                            int shafts,
                                                            std::span<const ElementLinks> elements);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

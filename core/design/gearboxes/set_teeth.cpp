@@ -8,7 +8,7 @@
 #include "core/design/synthesis/planetary_set.h"
 #include "core/design/synthesis/shifting_sets.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 RavigneauxTeeth ravigneauxOf(const std::vector<SetTeeth>& parts) {
@@ -44,7 +44,7 @@ class Options {
     for (const SetTeeth& part : parts) ratios.push_back(part.k());
     if (m_byRatios.contains(ratios)) return;
     TeethOption option;
-    for (int planets = kFewestPlanets; planets <= kMostPlanets; ++planets) {
+    for (int planets = kMinPlanets; planets <= kMaxPlanets; ++planets) {
       if (planetsFit(m_kind, parts, planets)) option.planets.push_back(planets);
     }
     if (option.planets.empty()) return;
@@ -137,4 +137,4 @@ std::vector<TeethOption> teethNear(SetKind kind, std::span<const double> k, cons
   return std::move(options).nearest(most);
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -5,10 +5,10 @@
 
 #include "core/design/gearboxes/gearbox_wish.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
-constexpr int kFewestPlanets = 3;  ///< of a set, or pairs of planets
-constexpr int kMostPlanets = 6;
+constexpr int kMinPlanets = 3;  ///< of a set, or pairs of planets
+constexpr int kMaxPlanets = 6;
 
 /// Tooth counts of one basic set.
 struct SetTeeth {
@@ -21,7 +21,7 @@ struct SetTeeth {
 };
 
 /// Tooth counts of a whole set, of both parts of a Ravigneaux set, with the numbers of planets, or pairs, of
-/// which that many go in equally spaced and clear each other: kFewestPlanets to kMostPlanets, never empty.
+/// which that many go in equally spaced and clear each other: kMinPlanets to kMaxPlanets, never empty.
 struct TeethOption {
   std::vector<SetTeeth> parts;
   std::vector<int> planets;
@@ -37,4 +37,4 @@ struct TeethOption {
 /// Do n equal planets of these teeth go in equally spaced, without touching each other?
 [[nodiscard]] bool planetsFit(SetKind kind, const std::vector<SetTeeth>& parts, int planets);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 constexpr int kMaxFreedom = 4;  ///< of a layout with nothing engaged
 
@@ -123,4 +123,4 @@ template <class Numbers>
   return space;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -1,17 +1,17 @@
 #include "core/design/gearboxes/wanted_ratio.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 /// Half a unit of the last digit of a decimal; 0 of a fraction or a whole number.
 Rational halfUnit(std::string_view text) {
-  constexpr std::size_t kMostDigits = 4300;
+  constexpr std::size_t kMaxDigits = 4300;
   const std::size_t exponentAt = text.find_first_of("eE");
   const std::string_view digits = text.substr(0, exponentAt);
   const std::size_t point = digits.find('.');
   if (point == std::string_view::npos || digits.find('/') != std::string_view::npos) return 0;
   const std::size_t places = digits.size() - point - 1;
-  if (places > kMostDigits) return 0;
+  if (places > kMaxDigits) return 0;
   std::string unit = "5e-" + std::to_string(places + 1);
   Rational half = Rational::fromText(unit).value_or(Rational(0));
   if (exponentAt != std::string_view::npos) {
@@ -42,4 +42,4 @@ std::optional<WantedRatio> wantedRatio(std::string_view text, const std::optiona
   return wanted;
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

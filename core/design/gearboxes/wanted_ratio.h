@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// A ratio that is wished for: above 0, with the interval that counts as met. Both comparisons are exact.
 struct WantedRatio {
@@ -30,4 +30,4 @@ struct WantedRatio {
 [[nodiscard]] std::optional<WantedRatio> wantedRatio(std::string_view text,
                                                      const std::optional<Rational>& tolerance);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

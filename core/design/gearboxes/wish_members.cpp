@@ -1,8 +1,8 @@
 #include "core/design/gearboxes/wish_members.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 namespace {
 
 std::optional<int> wholeOf(JsonValue value) {
@@ -106,4 +106,4 @@ void rejectUnknown(JsonObject& object, JsonValue value) {
   }
 }
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/design/gearboxes/wanted_ratio.h"
 #include "core/mechanism/document_format/json_object.h"
 
-namespace geargraph::inline gearboxes {
+namespace geargraph {
 
 /// A whole number in lowest..highest, or `otherwise` where the member is missing.
 [[nodiscard]] int wholeMember(JsonObject& object, std::string_view name, int lowest, int highest,
@@ -31,4 +31,4 @@ namespace geargraph::inline gearboxes {
 /// A diagnostic for each member that was not read.
 void rejectUnknown(JsonObject& object, JsonValue value);
 
-}  // namespace geargraph::inline gearboxes
+}  // namespace geargraph

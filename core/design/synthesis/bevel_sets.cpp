@@ -6,9 +6,9 @@
 #include <span>
 
 #include "core/design/synthesis/set_sketch.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 /// A third of the cone distance, less where a smaller one of the distances is near; whole units, 2 at least.
@@ -94,4 +94,4 @@ Mechanism bevelWrist(const WristTeeth& teeth) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

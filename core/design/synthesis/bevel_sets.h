@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// A bevel differential: case 1 with pinions between two equal side gears 2 and 3, whose speeds sum to twice
 /// the case's; places are left open. Rejects assembly if 2 side / pinions is not an integer.
@@ -25,4 +25,4 @@ struct WristTeeth {
 /// -(idlerPinion/tool)(idler - bend).
 [[nodiscard]] Mechanism bevelWrist(const WristTeeth& teeth);
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 /// Free ids: whole numbers for links, joints and meshes, letters for axes, the set's own names for wheels,
@@ -21,7 +21,7 @@ class FreshNames {
     for (const GearMesh& mesh : mechanism.gearMeshes) m_taken.insert(mesh.id.text());
     for (const Axis& axis : mechanism.axes) m_axes.insert(axis.id.text());
     for (const Wheel& wheel : mechanism.wheels) m_wheels.insert(wheel.id.text());
-    for (const Coupling& coupling : mechanism.couplings) m_couplings.insert(coupling.id.text());
+    for (const ShiftElement& coupling : mechanism.couplings) m_couplings.insert(coupling.id.text());
     for (const ShiftState& state : mechanism.states) m_states.insert(state.name);
   }
 
@@ -83,7 +83,7 @@ void shift(std::optional<NumberTriple>& point, const Rational& along) {
 /// Copies lists of the set, ids renamed.
 class Inserter {
  public:
-  Inserter(Mechanism mechanism, const Mechanism& set, SheetPoint at)
+  Inserter(Mechanism mechanism, const Mechanism& set, CanvasPoint at)
       : m_result(std::move(mechanism)),
         m_set(set),
         m_names(m_result),
@@ -106,11 +106,11 @@ class Inserter {
     m_links[m_set.links.front().id] = m_result.links.front().id;
     const auto nodeOf = [this](LinkId link) {
       const auto found = m_set.view.nodes.find(link);
-      return found == m_set.view.nodes.end() ? SheetPoint{} : found->second;
+      return found == m_set.view.nodes.end() ? CanvasPoint{} : found->second;
     };
     for (std::size_t i = 1; i < m_set.links.size(); ++i) {
       Link link = m_set.links[i];
-      const SheetPoint node = nodeOf(link.id);
+      const CanvasPoint node = nodeOf(link.id);
       const LinkId fresh(m_names.number());
       m_links[link.id] = fresh;
       link.id = fresh;
@@ -120,7 +120,7 @@ class Inserter {
     colors.keepIn(m_result);
     const LinkId ground = m_result.links.front().id;
     if (!m_result.view.nodes.contains(ground)) {
-      const SheetPoint node = nodeOf(m_set.links.front().id);
+      const CanvasPoint node = nodeOf(m_set.links.front().id);
       m_result.view.nodes[ground] = {node.x + m_at.x, node.y + m_at.y};
     }
     for (Axis axis : m_set.axes) {
@@ -162,18 +162,18 @@ class Inserter {
   }
 
   void addShifting() {
-    std::map<CouplingId, CouplingId> couplings;
-    for (Coupling coupling : m_set.couplings) {
-      const CouplingId fresh(m_names.coupling(coupling.id.text()));
+    std::map<ShiftElementId, ShiftElementId> couplings;
+    for (ShiftElement coupling : m_set.couplings) {
+      const ShiftElementId fresh(m_names.coupling(coupling.id.text()));
       couplings[coupling.id] = fresh;
       coupling.id = fresh;
       for (LinkId& link : coupling.links) link = m_links.at(link);
       m_result.couplings.push_back(std::move(coupling));
     }
-    for (const CouplingId& id : m_set.engaged) m_result.engaged.push_back(couplings.at(id));
+    for (const ShiftElementId& id : m_set.engaged) m_result.engaged.push_back(couplings.at(id));
     for (ShiftState state : m_set.states) {
       state.name = m_names.state(state.name);
-      for (CouplingId& id : state.engaged) id = couplings.at(id);
+      for (ShiftElementId& id : state.engaged) id = couplings.at(id);
       if (state.drive) state.drive = m_links.at(*state.drive);
       if (state.driven) state.driven = m_links.at(*state.driven);
       m_result.states.push_back(std::move(state));
@@ -192,7 +192,7 @@ class Inserter {
   Mechanism m_result;
   const Mechanism& m_set;
   FreshNames m_names;
-  SheetPoint m_at;
+  CanvasPoint m_at;
   Rational m_shift;
   std::map<LinkId, LinkId> m_links;
   std::map<AxisId, AxisId> m_axes;
@@ -201,14 +201,14 @@ class Inserter {
 
 }  // namespace
 
-Mechanism withInserted(Mechanism mechanism, const Mechanism& set, SheetPoint at) {
+Mechanism withInserted(Mechanism mechanism, const Mechanism& set, CanvasPoint at) {
   return Inserter(std::move(mechanism), set, at).run();
 }
 
-SheetPoint freePlace(const Mechanism& mechanism) {
+CanvasPoint freePlace(const Mechanism& mechanism) {
   constexpr double kGap = 150;
   if (mechanism.view.nodes.empty()) return {120, 120};
-  SheetPoint place{-1e300, 1e300};
+  CanvasPoint place{-1e300, 1e300};
   for (const auto& [link, point] : mechanism.view.nodes) {
     place.x = std::max(place.x, point.x);
     place.y = std::min(place.y, point.y);
@@ -217,4 +217,4 @@ SheetPoint freePlace(const Mechanism& mechanism) {
   return {place.x + kGap - 190, place.y};
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -9,9 +9,9 @@
 #include "core/design/synthesis/set_search.h"
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 /// The member's weight in Willis' equation: the weighted speeds add up to 0.
@@ -113,4 +113,4 @@ Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets, const Planetary
   return std::move(set).build();
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// Tooth counts of a planetary set with identical planets; the ring follows from the coaxiality condition.
 struct PlanetaryTeeth {
@@ -67,4 +67,4 @@ struct PlanetaryUse {
 /// 0. The brake is named "B". @pre drive and driven differ
 [[nodiscard]] Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets, const PlanetaryUse& use);
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/foundations/base/words.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/foundations/base/translation.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 Diagnostic noPlanet(const Mechanism& mechanism, LinkId link, const char* sentence) {
@@ -52,7 +52,7 @@ struct Planet {
   Axis axis;
   Link link;
   std::vector<GearMesh> meshes;
-  SheetPoint node;
+  CanvasPoint node;
   Turn turn;  ///< about the axis of what it meshes with; the angle is still open
 };
 
@@ -157,4 +157,4 @@ Expected<PlacedMechanism> withPlanets(const PlacedMechanism& before, LinkId plan
   return after;
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placed_mechanism.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// Adds copies of a planet with its joint and its meshes, so that there are `total` equally spaced identical
 /// planets. If the document states the planet's place, the copies are turned about the axis of the gears that
@@ -11,4 +11,4 @@ namespace geargraph::inline synthesis {
 /// carried by another link and carries nothing), and assembly if the assembly condition is violated.
 [[nodiscard]] Expected<PlacedMechanism> withPlanets(const PlacedMechanism& before, LinkId planet, int total);
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -4,9 +4,9 @@
 
 #include "core/design/synthesis/set_search.h"
 #include "core/design/synthesis/set_sketch.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 /// One for each ratio; of two that differ by exchanging the pairs the one with the larger first pair's
@@ -57,4 +57,4 @@ Mechanism revertedTrain(const RevertedTeeth& teeth) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// Tooth counts of a reverted train: two external pairs, first with second and third with fourth, where
 /// second and third are on one countershaft. Equal sums of teeth give both pairs the same module.
@@ -39,4 +39,4 @@ struct RevertedChoice {
 /// at 1 rad/s.
 [[nodiscard]] Mechanism revertedTrain(const RevertedTeeth& teeth);
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

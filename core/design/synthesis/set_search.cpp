@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 /// Within 2 % there are mostly enough; the last one is every ratio of the wanted sign.
@@ -47,4 +47,4 @@ std::vector<FoundTeeth> nearestTeeth(const Mechanism& set, TeethWish wish, const
   return best;
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

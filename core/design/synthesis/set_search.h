@@ -6,7 +6,7 @@
 
 #include "core/design/teeth_search/teeth_answer.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// The teeth of a set that come nearest to a ratio, by the search for teeth of drawn trains: all within
 /// `wish` whose ratio has the sign of the wanted one, the smallest error first, among equals the smallest
@@ -17,4 +17,4 @@ namespace geargraph::inline synthesis {
     const Mechanism& set, TeethWish wish, const Rational& wanted,
     const std::function<bool(const std::vector<FoundTeeth>&)>& isEnough);
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

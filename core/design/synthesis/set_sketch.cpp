@@ -1,6 +1,6 @@
 #include "core/design/synthesis/set_sketch.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 LinkId idOf(LinkOrdinal link) {
@@ -60,7 +60,7 @@ void SetSketch::input(LinkOrdinal link, const Number& speed) {
 }
 
 void SetSketch::brake(const std::string& id, LinkOrdinal link) {
-  m_mechanism.couplings.push_back({CouplingId(id), CouplingKind::brake, {idOf(link)}, {}});
+  m_mechanism.couplings.push_back({ShiftElementId(id), ShiftElementKind::brake, {idOf(link)}, {}});
 }
 
 void SetSketch::engage(const std::string& id) {
@@ -68,7 +68,8 @@ void SetSketch::engage(const std::string& id) {
 }
 
 void SetSketch::clutch(const std::string& id, LinkOrdinal link, int other) {
-  m_mechanism.couplings.push_back({CouplingId(id), CouplingKind::clutch, {idOf(link), idOf(other)}, {}});
+  m_mechanism.couplings.push_back(
+      {ShiftElementId(id), ShiftElementKind::clutch, {idOf(link), idOf(other)}, {}});
 }
 
 void SetSketch::state(const std::string& name, const std::vector<std::string>& engaged, int drive,
@@ -98,4 +99,4 @@ Mechanism SetSketch::build() && {
   return std::move(m_mechanism);
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

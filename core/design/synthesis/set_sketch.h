@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// Builds a mechanism link by link: ids are whole numbers in order of links, joints and meshes; link 0 is the
 /// ground. Sets are built with it and inserted into documents (insertion.h).
@@ -38,4 +38,4 @@ class SetSketch {
   ByLink<LinkOrdinal> m_parents{-1};
 };
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "core/design/synthesis/set_sketch.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 namespace {
 
 PlanePoint turned(const PlanePoint& p, double angle) {
@@ -190,4 +190,4 @@ Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline synthesis {
+namespace geargraph {
 
 /// Tooth counts of a Ravigneaux set: the short planet meshes with the small sun and the long planet, the long
 /// one with the large sun and the ring. The ring follows: large sun + 2 long planet.
@@ -59,4 +59,4 @@ struct PairPlaces {
 /// assembly and teeth-geometry as above.
 [[nodiscard]] Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets);
 
-}  // namespace geargraph::inline synthesis
+}  // namespace geargraph

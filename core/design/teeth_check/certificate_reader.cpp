@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph::inline teeth_check {
+namespace geargraph {
 namespace {
 
 class CertificateReader {
@@ -217,4 +217,4 @@ Expected<TeethCertificate> readTeethCertificate(std::string_view text) {
   return CertificateReader(document->root()).run();
 }
 
-}  // namespace geargraph::inline teeth_check
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline teeth_check {
+namespace geargraph {
 
 /// What a certificate claims, as it is written.
 struct TeethCertificate {
@@ -54,4 +54,4 @@ struct TeethCertificate {
 /// Rejects `syntax`, `format`, `version` and `schema`; numbers of wheels and ends are within their lists.
 [[nodiscard]] Expected<TeethCertificate> readTeethCertificate(std::string_view text);
 
-}  // namespace geargraph::inline teeth_check
+}  // namespace geargraph

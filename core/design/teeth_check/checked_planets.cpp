@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-namespace geargraph::inline teeth_check {
+namespace geargraph {
 namespace {
 
 /// One gear of a chain of meshes.
@@ -161,4 +161,4 @@ bool CheckedPlanets::assembles(std::span<const int> teeth, int planets) const {
   return true;
 }
 
-}  // namespace geargraph::inline teeth_check
+}  // namespace geargraph

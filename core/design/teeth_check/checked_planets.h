@@ -5,7 +5,7 @@
 
 #include "core/mechanism/placement/planet_groups.h"
 
-namespace geargraph::inline teeth_check {
+namespace geargraph {
 
 /// Whether n equal planets go in and clear each other, decided by turning them: the planet one place further
 /// is the first one turned about its own axis by an angle that brings every gear into its central wheel, and
@@ -49,4 +49,4 @@ class CheckedPlanets {
   std::vector<InMesh> m_inMesh;
 };
 
-}  // namespace geargraph::inline teeth_check
+}  // namespace geargraph

@@ -12,7 +12,7 @@
 #include "core/design/teeth_check/certificate_reader.h"
 #include "core/design/teeth_check/checked_planets.h"
 #include "core/design/teeth_wish/problem_mark.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/pins.h"
@@ -20,7 +20,7 @@
 #include "core/mechanism/placement/placement.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline teeth_check {
+namespace geargraph {
 namespace {
 
 __extension__ using Long = __int128;  ///< GCC and clang have it, ISO C++ does not
@@ -38,8 +38,8 @@ Mechanism withStatesOf(const TeethCertificate& certificate) {
     if (wish.isEngaged) state.engaged = certificate.mechanism.engaged;
     for (const LinkOrdinal link : wish.held) {
       if (link == 0) continue;
-      Coupling brake;
-      brake.id = CouplingId("check " + std::to_string(train.couplings.size()));
+      ShiftElement brake;
+      brake.id = ShiftElementId("check " + std::to_string(train.couplings.size()));
       brake.links = {train.links[link].id};
       state.engaged.push_back(brake.id);
       train.couplings.push_back(std::move(brake));
@@ -124,8 +124,8 @@ class TeethChecker {
 
  private:
   void fault(std::string sentence) {
-    constexpr std::size_t kMostFaults = 20;
-    if (m_verdict.faults.size() < kMostFaults) m_verdict.faults.push_back(std::move(sentence));
+    constexpr std::size_t kMaxFaults = 20;
+    if (m_verdict.faults.size() < kMaxFaults) m_verdict.faults.push_back(std::move(sentence));
   }
 
   /// Every end of a mesh on one wheel, all ends of a wheel with the same drawn teeth, every wheel in the
@@ -270,8 +270,8 @@ class TeethChecker {
                   static_cast<int>(drawnDistance(first->second))});
     }
   }
-  [[nodiscard]] bool isPinnedAxis(ClassOrdinal axisClass) const {
-    return isPinned(m_mechanism.axes[m_placement.classes->classes[axisClass].axis]);
+  [[nodiscard]] bool isPinnedAxis(AxisGroupOrdinal axisGroup) const {
+    return isPinned(m_mechanism.axes[m_placement.classes->classes[axisGroup].axis]);
   }
   [[nodiscard]] std::int64_t drawnDistance(MeshOrdinal mesh) const {
     const std::int64_t tail = drawn(2 * mesh), head = drawn(2 * mesh + 1);
@@ -500,4 +500,4 @@ std::string verdictJson(const TeethVerdict& verdict) {
   return sink.take();
 }
 
-}  // namespace geargraph::inline teeth_check
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline teeth_check {
+namespace geargraph {
 
 /// What is left of the claims of a certificate.
 struct TeethVerdict {
@@ -40,4 +40,4 @@ struct TeethVerdict {
 /// `geargraph-teeth-check` (resources/schema/README.md).
 [[nodiscard]] std::string verdictJson(const TeethVerdict& verdict);
 
-}  // namespace geargraph::inline teeth_check
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 /// nearError() is a quotient of two sums with a relative error each; where terms cancel they are exact.
@@ -63,4 +63,4 @@ std::vector<FoundTeeth> BestChoices::take() && {
   return std::move(m_heap);
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/design/teeth_search/teeth_problem.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// An assignment of teeth with its exact ratios.
 struct FoundTeeth {
@@ -41,4 +41,4 @@ class BestChoices {
 /// polynomial is 0.
 [[nodiscard]] double nearError(const TeethProblem& problem, std::span<const int> teeth);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

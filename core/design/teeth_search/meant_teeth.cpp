@@ -5,11 +5,11 @@
 
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
-constexpr int kFewestMeantTeeth = 4;
-constexpr std::size_t kMostMeantChoices = 1'000;
+constexpr int kMinMeantTeeth = 4;
+constexpr std::size_t kMaxMeantChoices = 1'000;
 
 /// Centre distances that the drawn teeth miss may be missed as far.
 void admitDrawnSums(TeethProblem& problem) {
@@ -87,13 +87,13 @@ Expected<MeantTeeth> meantTeeth(const PlacedMechanism& drawn, const TeethWish& w
       for (const int each : changed) {
         SearchedWheel& wheel = near.wheels[static_cast<std::size_t>(each)];
         wheel.counts.clear();
-        for (int number = std::max(kFewestMeantTeeth, wheel.drawn - options.by);
+        for (int number = std::max(kMinMeantTeeth, wheel.drawn - options.by);
              number <= wheel.drawn + options.by; ++number) {
           if (number != wheel.drawn) wheel.counts.push_back(number);
         }
       }
       TeethSearchOptions search;
-      search.most = kMostMeantChoices;
+      search.most = kMaxMeantChoices;
       TeethFound found = searchTeeth(near, search, stop);
       meant.tried += found.counts.tried;
       for (FoundTeeth& each : found.best) meant.choices.push_back({changed, std::move(each)});
@@ -160,4 +160,4 @@ std::string meantTeethJson(const MeantTeeth& meant, std::size_t limit) {
   return sink.take();
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

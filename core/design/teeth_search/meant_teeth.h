@@ -7,7 +7,7 @@
 
 #include "core/design/teeth_search/teeth_answer.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// Teeth that differ from the drawn ones in a few wheels and have all stated ratios.
 struct MeantChoice {
@@ -29,8 +29,8 @@ struct MeantTeethOptions {
   int by = 5;      ///< teeth by which a wheel may differ
   int wheels = 3;  ///< that may differ
 };
-constexpr int kMostMeantTeeth = 20;
-constexpr int kMostMeantWheels = 4;
+constexpr int kMaxMeantTeeth = 20;
+constexpr int kMaxMeantWheels = 4;
 
 /// Looks for teeth near the drawn ones with which every ratio of the wish is within its bounds, by the fewest
 /// wheels that have to differ: all sets of so many wheels are tried. Limits of the wish on numbers of teeth
@@ -44,4 +44,4 @@ constexpr int kMostMeantWheels = 4;
 /// `geargraph-meant-teeth` (resources/schema/README.md): the first `limit` choices.
 [[nodiscard]] std::string meantTeethJson(const MeantTeeth& meant, std::size_t limit);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/mechanism/kinds/pair_kind.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 /// A gear of the train that the walk from a planet's gear has reached.
@@ -68,7 +68,7 @@ PlanetCondition::PlanetCondition(const std::vector<PlanetGroup>& set, const Plac
 /// Turning carrier and planet by an angle is turning the central gears backwards under a planet that stays.
 void PlanetCondition::addTies(const PlanetGroup& group, const Placement& placement, const TrainWheels& train,
                               std::span<const int> wheelAt) {
-  std::optional<ClassOrdinal> centre;
+  std::optional<AxisGroupOrdinal> centre;
   const auto isOwn = [&](GearOrdinal gear) {
     return std::find(group.links.begin(), group.links.end(), train.wheels[gear].link) != group.links.end();
   };
@@ -76,7 +76,7 @@ void PlanetCondition::addTies(const PlanetGroup& group, const Placement& placeme
     const TrainPair* const pair = pairOf(train, mesh);
     if (pair == nullptr) return;
     for (const GearOrdinal gear : {pair->tail, pair->head})
-      if (!centre && !isOwn(gear)) centre = train.wheels[gear].axisClass;
+      if (!centre && !isOwn(gear)) centre = train.wheels[gear].axisGroup;
   }
   if (!centre) return;
   for (std::size_t m = 0; m < m_members.size(); ++m) {
@@ -100,7 +100,7 @@ void PlanetCondition::addTies(const PlanetGroup& group, const Placement& placeme
           const auto isOther = [other](const ReachedGear& each) { return each.gear == other; };
           if (isOwn(other)) {
             if (std::none_of(queue.begin(), queue.end(), isOther)) queue.push_back({other, sense});
-          } else if (train.wheels[other].axisClass == *centre) {
+          } else if (train.wheels[other].axisGroup == *centre) {
             const Tie tie{wheelAt[static_cast<std::size_t>(int{first})],
                           wheelAt[static_cast<std::size_t>(int{other})], sense};
             std::vector<Tie>& ties = m_members[m].ties;
@@ -190,4 +190,4 @@ bool arcClears(int centre, int planets, int tip) {
   return room > 0;
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

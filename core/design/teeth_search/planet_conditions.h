@@ -7,7 +7,7 @@
 #include "core/machine/train/train_wheels.h"
 #include "core/mechanism/placement/planet_groups.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// A centre distance in teeth, twice the distance over the module: a sum, or a difference for a ring.
 struct CentreSum {
@@ -86,4 +86,4 @@ constexpr int kMaxPlanetsCompared = 100;
 /// Is centre * sin(pi / planets) > tip? Exact: the sine is rational for 1, 2 and 6 planets only.
 [[nodiscard]] bool arcClears(int centre, int planets, int tip);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

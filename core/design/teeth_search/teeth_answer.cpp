@@ -5,15 +5,15 @@
 
 #include "core/design/teeth_search/wished_states.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/shift_statics.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 /// The efficiencies of a train under a torque at the drive.
-struct TrainEfficiency {
+struct ChoiceEfficiency {
   std::optional<double> forward;
   std::optional<double> backward;
 };
@@ -35,8 +35,8 @@ bool hasLosses(const TeethProblem& problem) {
 }
 
 /// The smallest efficiencies of the wished ratios; none where one of them is not known or locks itself.
-TrainEfficiency efficiencyOf(const TeethProblem& problem, std::span<const int> teeth,
-                             const std::stop_token& stop) {
+ChoiceEfficiency efficiencyOf(const TeethProblem& problem, std::span<const int> teeth,
+                              const std::stop_token& stop) {
   const auto fitted = withAllTeethFitted(problem.drawn, meshTeethOf(problem, teeth));
   if (!fitted) return {};
   auto train = std::make_shared<const Mechanism>(withWishedStates(fitted->mechanism(), problem.wish));
@@ -48,7 +48,7 @@ TrainEfficiency efficiencyOf(const TeethProblem& problem, std::span<const int> t
   options.symbolic = false;
   options.driveTorque = Rational(1);
   if (problem.wish.efficiency.sign() > 0) options.efficiency = problem.wish.efficiency;
-  TrainEfficiency least;
+  ChoiceEfficiency least;
   for (std::size_t i = 0; i < problem.ratios.size(); ++i) {
     const auto solved = solveShiftState(*snapshot->mechanism, *snapshot->kinematics->model,
                                         snapshot->kinematics->placement(), *snapshot->kinematics->ttGraph,
@@ -70,7 +70,7 @@ std::vector<int> planetNumbers(const TeethProblem& problem, std::span<const int>
   std::vector<int> numbers;
   const auto isSet = [](const PlanetCondition& set) { return !set.wheels().empty(); };
   if (std::none_of(problem.planets.begin(), problem.planets.end(), isSet)) return numbers;
-  for (int planets = 2; planets <= kMostPlanetsTold; ++planets) {
+  for (int planets = 2; planets <= kMaxPlanetsTold; ++planets) {
     if (std::all_of(problem.planets.begin(), problem.planets.end(), [&](const PlanetCondition& set) {
           return !isSet(set) || (set.clears(teeth, planets) && set.assembles(teeth, planets));
         }))
@@ -94,7 +94,7 @@ TeethChoice choiceOf(const TeethProblem& problem, FoundTeeth found, const std::s
     if (!of.isRing && !of.isBevel && teeth[wheel] < limit - kEqual) choice.undercut.push_back(of.name);
   }
   if (hasLosses(problem)) {
-    const TrainEfficiency efficiency = efficiencyOf(problem, teeth, stop);
+    const ChoiceEfficiency efficiency = efficiencyOf(problem, teeth, stop);
     choice.efficiency = efficiency.forward;
     choice.backward = efficiency.backward;
   }
@@ -173,7 +173,7 @@ Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wi
   if (wish.leastEfficiency.sign() > 0 && !options.accepts) {
     const double least = wish.leastEfficiency.toDouble();
     asked.accepts = [&problem, least, &stop](std::span<const int> teeth) {
-      const TrainEfficiency efficiency = efficiencyOf(problem, teeth, stop);
+      const ChoiceEfficiency efficiency = efficiencyOf(problem, teeth, stop);
       return efficiency.forward && *efficiency.forward >= least;
     };
   }
@@ -203,4 +203,4 @@ Expected<PlacedMechanism> withTeethChosen(const PlacedMechanism& drawn, const Te
   return withAllTeethFitted(drawn, choice.teeth);
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "core/design/teeth_search/teeth_search.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// The most planets of which TeethChoice tells whether they go in.
-constexpr int kMostPlanetsTold = 24;
+constexpr int kMaxPlanetsTold = 24;
 
 /// A choice of teeth with what one wants to know before taking it.
 struct TeethChoice {
@@ -53,4 +53,4 @@ struct TeethAnswer {
 [[nodiscard]] Expected<PlacedMechanism> withTeethChosen(const PlacedMechanism& drawn,
                                                         const TeethChoice& choice);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -1,11 +1,11 @@
 #include "core/design/teeth_search/teeth_certificate.h"
 
 #include "core/design/teeth_wish/problem_mark.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -125,4 +125,4 @@ Expected<std::string> teethCertificate(const TeethAnswer& answer, std::string_vi
   return sink.take();
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

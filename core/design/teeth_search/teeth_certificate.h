@@ -5,7 +5,7 @@
 
 #include "core/design/teeth_search/teeth_answer.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// `geargraph-teeth-certificate` (resources/schema/README.md): problem, order of enumeration, the counts of
 /// every branch and the best choices, which `teeth_check` checks with code of its own. `wish` is the text
@@ -16,4 +16,4 @@ namespace geargraph::inline teeth_search {
 [[nodiscard]] Expected<std::string> teethCertificate(const TeethAnswer& answer, std::string_view wish,
                                                      std::string_view program);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

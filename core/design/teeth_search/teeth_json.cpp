@@ -2,7 +2,7 @@
 
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -108,4 +108,4 @@ std::string teethJson(const TeethAnswer& answer) {
   return sink.take();
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

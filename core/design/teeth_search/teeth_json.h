@@ -6,7 +6,7 @@
 
 #include "core/design/teeth_search/teeth_answer.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// The conditions that were asked for, by name ("turns", "clears", "assembles", "hunting", "undercut",
 /// "within"), each with the number of choices that pass it and all before it.
@@ -16,4 +16,4 @@ namespace geargraph::inline teeth_search {
 /// `geargraph-teeth` (resources/schema/README.md).
 [[nodiscard]] std::string teethJson(const TeethAnswer& answer);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 /// A matrix of whole numbers of any size, FLINT's.
@@ -142,4 +142,4 @@ int rankAt(std::span<const SpeedRow> rows, int columns, std::span<const int> tee
   return matrix.rank();
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

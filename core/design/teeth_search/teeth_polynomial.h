@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 __extension__ using WideInteger = __int128;  ///< GCC and clang have it, ISO C++ does not
 
@@ -23,13 +23,13 @@ struct TeethPolynomial {
   /// The sum of the values of the terms without their signs. @pre an entry for each wheel
   [[nodiscard]] double sizeAt(std::span<const int> teeth) const;
   /// @pre an entry for each wheel; for WideInteger: sizeAt() is below 2^126
-  template <class Whole>
-  [[nodiscard]] Whole at(std::span<const int> teeth) const {
-    Whole sum = 0;
+  template <class BigInteger>
+  [[nodiscard]] BigInteger at(std::span<const int> teeth) const {
+    BigInteger sum = 0;
     for (const Term& term : terms) {
-      Whole product = static_cast<Whole>(term.factor);
+      BigInteger product = static_cast<BigInteger>(term.factor);
       for (const int wheel : term.wheels)
-        product *= static_cast<Whole>(teeth[static_cast<std::size_t>(wheel)]);
+        product *= static_cast<BigInteger>(teeth[static_cast<std::size_t>(wheel)]);
       sum += product;
     }
     return sum;
@@ -67,4 +67,4 @@ constexpr std::size_t kMaxVariedMeshes = 14;
 /// The rank of rows at these teeth. Cost: an elimination in whole numbers.
 [[nodiscard]] int rankAt(std::span<const SpeedRow> rows, int columns, std::span<const int> teeth);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/design/teeth_search/wished_states.h"
 #include "core/foundations/base/disjoint_sets.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
@@ -17,7 +17,7 @@
 #include "core/theory/states/relative_speed.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 constexpr std::int64_t kNoHigh = std::numeric_limits<int>::max();
@@ -232,15 +232,15 @@ class ProblemMaker {
   static bool hasMinus(const Sum& sum) {
     return std::any_of(sum.begin(), sum.end(), [](const auto& each) { return each.second < 0; });
   }
-  [[nodiscard]] bool isPinnedAxis(ClassOrdinal axisClass) const {
-    return isPinned(m_mechanism.axes[m_placement.classes->classes[axisClass].axis]);
+  [[nodiscard]] bool isPinnedAxis(AxisGroupOrdinal axisGroup) const {
+    return isPinned(m_mechanism.axes[m_placement.classes->classes[axisGroup].axis]);
   }
 
   /// Planets that only copy others: their links are taken out of the equations.
   [[nodiscard]] std::set<int> copiesIn(const ShiftState& state) const {
     std::set<LinkId> named{*state.drive, *state.driven};
-    for (const CouplingId id : state.engaged) {
-      const Coupling* const coupling = m_problem.train.find(id);
+    for (const ShiftElementId id : state.engaged) {
+      const ShiftElement* const coupling = m_problem.train.find(id);
       named.insert(coupling->links.begin(), coupling->links.end());
     }
     std::set<int> copies;
@@ -381,7 +381,7 @@ class ProblemMaker {
     const RelativeSpeed speed = RelativeSpeed::between(m_placement, 0, link);
     if (rates.empty()) {
       for (const RelativeSpeed::Part& part : speed.parts)
-        if (directionSign(m_placement, part.axisClass, m_placement.classes->classOfLink(link)) != 0)
+        if (directionSign(m_placement, part.axisGroup, m_placement.classes->classOfLink(link)) != 0)
           return rowOf(part);
       return {};
     }
@@ -389,7 +389,7 @@ class ProblemMaker {
     for (const RelativeSpeed::Part& part : speed.parts) {
       const bool isOnly = speed.parts.size() == 1;
       if (isOnly ||
-          (turning.size() == 1 && directionSign(m_placement, part.axisClass, turning.front().axisClass) != 0))
+          (turning.size() == 1 && directionSign(m_placement, part.axisGroup, turning.front().axisGroup) != 0))
         return rowOf(part);
     }
     return {};
@@ -467,4 +467,4 @@ double undercutLimit(const Mechanism& mechanism) {
   return 2 / (sine * sine);
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

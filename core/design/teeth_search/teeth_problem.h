@@ -9,7 +9,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placed_mechanism.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// A wheel whose teeth are looked for, with all that have as many: ends of meshes that share it, and the
 /// corresponding wheels of equal planets.
@@ -77,4 +77,4 @@ struct TeethProblem {
 /// Fewest teeth that a rack does not undercut without a profile shift: 2 / sin^2 of the pressure angle.
 [[nodiscard]] double undercutLimit(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

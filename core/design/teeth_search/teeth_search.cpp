@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 constexpr std::int64_t kFar = std::int64_t{1} << 40U;  // beyond every number of teeth
@@ -50,25 +50,26 @@ struct Stretch {
 };
 
 /// A whole number for each x: at0 + slope x.
-template <class Whole>
+template <class BigInteger>
 struct Line {
-  Whole at0 = 0;
-  Whole slope = 0;
+  BigInteger at0 = 0;
+  BigInteger slope = 0;
 
   [[nodiscard]] Line negated() const { return {-at0, -slope}; }
   /// factor * this - otherFactor * other.
-  [[nodiscard]] Line combined(const Whole& factor, const Line& other, const Whole& otherFactor) const {
+  [[nodiscard]] Line combined(const BigInteger& factor, const Line& other,
+                              const BigInteger& otherFactor) const {
     return {factor * at0 - otherFactor * other.at0, factor * slope - otherFactor * other.slope};
   }
 };
 
 /// The part of the stretch where the line is at least `least`. Divides only where an end lies inside.
-template <class Whole>
-Stretch whereAtLeast(const Line<Whole>& line, int least, Stretch in) {
+template <class BigInteger>
+Stretch whereAtLeast(const Line<BigInteger>& line, int least, Stretch in) {
   if (in.isEmpty()) return in;
-  const Whole rest = line.at0 - Whole(least);
-  const bool firstIs = rest + line.slope * Whole(in.first) >= Whole(0);
-  const bool lastIs = rest + line.slope * Whole(in.last) >= Whole(0);
+  const BigInteger rest = line.at0 - BigInteger(least);
+  const bool firstIs = rest + line.slope * BigInteger(in.first) >= BigInteger(0);
+  const bool lastIs = rest + line.slope * BigInteger(in.last) >= BigInteger(0);
   if (firstIs && lastIs) return in;
   if (!firstIs && !lastIs) return {1, 0};
   if (lastIs) {
@@ -80,14 +81,15 @@ Stretch whereAtLeast(const Line<Whole>& line, int least, Stretch in) {
 }
 
 /// The x at which the line is 0, if it is one of the stretch.
-template <class Whole>
-std::optional<std::int64_t> zeroOf(const Line<Whole>& line, const Stretch& in) {
-  if (line.slope == Whole(0)) return std::nullopt;
-  const Line<Whole> up = line.slope > Whole(0) ? line : line.negated();
-  if (up.at0 + up.slope * Whole(in.first) > Whole(0) || up.at0 + up.slope * Whole(in.last) < Whole(0))
+template <class BigInteger>
+std::optional<std::int64_t> zeroOf(const Line<BigInteger>& line, const Stretch& in) {
+  if (line.slope == BigInteger(0)) return std::nullopt;
+  const Line<BigInteger> up = line.slope > BigInteger(0) ? line : line.negated();
+  if (up.at0 + up.slope * BigInteger(in.first) > BigInteger(0) ||
+      up.at0 + up.slope * BigInteger(in.last) < BigInteger(0))
     return std::nullopt;
   const std::int64_t x = floorQuotient(-up.at0, up.slope);
-  if (!in.contains(x) || up.at0 + up.slope * Whole(x) != Whole(0)) return std::nullopt;
+  if (!in.contains(x) || up.at0 + up.slope * BigInteger(x) != BigInteger(0)) return std::nullopt;
   return x;
 }
 
@@ -198,7 +200,7 @@ bool canInvertLast(const TeethProblem& problem, const WheelOrder& order) {
 }
 
 /// One search with whole numbers of one kind.
-template <class Whole>
+template <class BigInteger>
 class Search {
  public:
   Search(const TeethProblem& problem, WheelOrder order, bool invertsLast, const TeethSearchOptions& options,
@@ -232,7 +234,7 @@ class Search {
 
  private:
   struct Bounds {
-    Whole lowOver, lowUnder, highOver, highUnder;  ///< denominators above 0
+    BigInteger lowOver, lowUnder, highOver, highUnder;  ///< denominators above 0
     bool includesHigh = true;
   };
   /// Conditions that wheels so far decide.
@@ -249,13 +251,13 @@ class Search {
     bool isFree = false;
   };
 
-  static Whole wholeOf(const fmpz* value) {
-    if constexpr (std::is_same_v<Whole, Rational>) {
+  static BigInteger wholeOf(const fmpz* value) {
+    if constexpr (std::is_same_v<BigInteger, Rational>) {
       Rational whole;
       fmpz_set(fmpq_numref(whole.flint()), value);
       return whole;
     } else {
-      return static_cast<Whole>(fmpz_get_si(value));
+      return static_cast<BigInteger>(fmpz_get_si(value));
     }
   }
   static Bounds boundsOf(const RatioBounds& of) {
@@ -385,12 +387,12 @@ class Search {
     TeethCounts& counts = m_branch.counts;
     ++counts.tried;
     for (const TeethPolynomial& closure : m_problem.closures)
-      if (closure.template at<Whole>(m_teeth) != Whole(0)) return;
+      if (closure.template at<BigInteger>(m_teeth) != BigInteger(0)) return;
     m_values.clear();
     for (const SearchedRatio& ratio : m_problem.ratios) {
-      m_values.emplace_back(ratio.numerator.template at<Whole>(m_teeth),
-                            ratio.denominator.template at<Whole>(m_teeth));
-      if (m_values.back().first == Whole(0) || m_values.back().second == Whole(0)) return;
+      m_values.emplace_back(ratio.numerator.template at<BigInteger>(m_teeth),
+                            ratio.denominator.template at<BigInteger>(m_teeth));
+      if (m_values.back().first == BigInteger(0) || m_values.back().second == BigInteger(0)) return;
     }
     ++counts.turns;
     if (!standing.clears) return;
@@ -407,13 +409,13 @@ class Search {
     isWithin ? hit() : miss();
   }
 
-  static bool contains(const Bounds& bounds, Whole numerator, Whole denominator) {
-    if (denominator < Whole(0)) {
+  static bool contains(const Bounds& bounds, BigInteger numerator, BigInteger denominator) {
+    if (denominator < BigInteger(0)) {
       numerator = -numerator;
       denominator = -denominator;
     }
     if (numerator * bounds.lowUnder < bounds.lowOver * denominator) return false;
-    const Whole one = numerator * bounds.highUnder, other = bounds.highOver * denominator;
+    const BigInteger one = numerator * bounds.highUnder, other = bounds.highOver * denominator;
     return bounds.includesHigh ? one <= other : one < other;
   }
 
@@ -496,10 +498,10 @@ class Search {
     return {value, next};
   }
 
-  using WholeLine = Line<Whole>;
+  using WholeLine = Line<BigInteger>;
   [[nodiscard]] WholeLine lineOf(const TeethPolynomial& polynomial) const {
-    const Whole at0 = polynomial.at<Whole>(m_at0);
-    return {at0, polynomial.at<Whole>(m_at1) - at0};
+    const BigInteger at0 = polynomial.at<BigInteger>(m_at0);
+    return {at0, polynomial.at<BigInteger>(m_at1) - at0};
   }
 
   void judgeSlice(std::size_t place, const Stretch& room) {
@@ -511,7 +513,7 @@ class Search {
       const WholeLine numerator = lineOf(m_problem.ratios[i].numerator);
       const WholeLine denominator = lineOf(m_problem.ratios[i].denominator);
       for (const WholeLine* line : {&numerator, &denominator}) {
-        if (line->slope == Whole(0) && line->at0 == Whole(0)) return;  // stands still for every x
+        if (line->slope == BigInteger(0) && line->at0 == BigInteger(0)) return;  // stands still for every x
         if (const auto zero = zeroOf(*line, room)) m_zeros.push_back(*zero);
       }
       if (i == 0) hits = hitsOf(m_bounds[i], numerator, denominator, room);
@@ -529,9 +531,9 @@ class Search {
         setTeeth(place, x);
         bool isWithin = true;
         for (std::size_t i = 1; i < m_problem.ratios.size() && isWithin; ++i) {
-          const auto numerator = m_problem.ratios[i].numerator.template at<Whole>(m_teeth);
-          const auto denominator = m_problem.ratios[i].denominator.template at<Whole>(m_teeth);
-          isWithin = numerator != Whole(0) && denominator != Whole(0) &&
+          const auto numerator = m_problem.ratios[i].numerator.template at<BigInteger>(m_teeth);
+          const auto denominator = m_problem.ratios[i].denominator.template at<BigInteger>(m_teeth);
+          isWithin = numerator != BigInteger(0) && denominator != BigInteger(0) &&
                      contains(m_bounds[i], numerator, denominator);
         }
         if (isWithin) hit();
@@ -575,8 +577,8 @@ class Search {
       for (const std::int64_t each : {x - 1, x, x + 1, x + 2})
         if (room.contains(each)) beside.push_back(each);
     };
-    const auto number = [](const Whole& value) {
-      if constexpr (std::is_same_v<Whole, Rational>) {
+    const auto number = [](const BigInteger& value) {
+      if constexpr (std::is_same_v<BigInteger, Rational>) {
         return value.toDouble();
       } else {
         return static_cast<double>(value);
@@ -614,7 +616,7 @@ class Search {
   TeethFound m_found;
   std::optional<FoundTeeth> m_nearest;
   double m_nearestError = std::numeric_limits<double>::infinity();
-  std::vector<std::pair<Whole, Whole>> m_values;
+  std::vector<std::pair<BigInteger, BigInteger>> m_values;
   std::vector<int> m_at0, m_at1;
   std::vector<std::int64_t> m_zeros;
   std::vector<Stretch> m_hits;
@@ -664,14 +666,14 @@ TeethFound searchTeeth(const TeethProblem& problem, const TeethSearchOptions& op
     order = std::move(other);
     invertsLast = true;
   }
-  constexpr double kMostShort = 2e18;  // below a quarter of 2^63
-  constexpr double kMostWide = 4e37;   // below a quarter of 2^127
+  constexpr double kMaxShort = 2e18;  // below a quarter of 2^63
+  constexpr double kMaxWide = 4e37;   // below a quarter of 2^127
   const double largest = largestProduct(problem);
-  if (largest < kMostShort)
+  if (largest < kMaxShort)
     return Search<std::int64_t>(problem, std::move(order), invertsLast, options, stop).run();
-  if (largest < kMostWide)
+  if (largest < kMaxWide)
     return Search<WideInteger>(problem, std::move(order), invertsLast, options, stop).run();
   return Search<Rational>(problem, std::move(order), invertsLast, options, stop).run();
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/design/teeth_search/best_choices.h"
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 
 /// How many choices pass each condition, in this order; a later one counts those that passed all before it.
 struct TeethCounts {
@@ -61,4 +61,4 @@ struct TeethFound {
 [[nodiscard]] TeethFound searchTeeth(const TeethProblem& problem, const TeethSearchOptions& options = {},
                                      const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

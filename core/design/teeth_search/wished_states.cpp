@@ -2,24 +2,24 @@
 
 #include <algorithm>
 
-namespace geargraph::inline teeth_search {
+namespace geargraph {
 namespace {
 
 /// A name that no coupling has.
-CouplingId freshBrake(const Mechanism& mechanism) {
+ShiftElementId freshBrake(const Mechanism& mechanism) {
   for (int number = 1;; ++number) {
-    const CouplingId id("held " + std::to_string(number));
-    const auto hasId = [&](const Coupling& each) { return each.id == id; };
+    const ShiftElementId id("held " + std::to_string(number));
+    const auto hasId = [&](const ShiftElement& each) { return each.id == id; };
     if (std::none_of(mechanism.couplings.begin(), mechanism.couplings.end(), hasId)) return id;
   }
 }
 
-CouplingId brakeOn(Mechanism& mechanism, LinkId link) {
-  for (const Coupling& each : mechanism.couplings)
-    if (each.kind == CouplingKind::brake && each.links.front() == link) return each.id;
-  Coupling brake;
+ShiftElementId brakeOn(Mechanism& mechanism, LinkId link) {
+  for (const ShiftElement& each : mechanism.couplings)
+    if (each.kind == ShiftElementKind::brake && each.links.front() == link) return each.id;
+  ShiftElement brake;
   brake.id = freshBrake(mechanism);
-  brake.kind = CouplingKind::brake;
+  brake.kind = ShiftElementKind::brake;
   brake.links = {link};
   mechanism.couplings.push_back(brake);
   return brake.id;
@@ -46,4 +46,4 @@ Mechanism withWishedStates(const Mechanism& mechanism, const TeethWish& wish) {
   return result;
 }
 
-}  // namespace geargraph::inline teeth_search
+}  // namespace geargraph

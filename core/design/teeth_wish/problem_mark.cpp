@@ -3,7 +3,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/files/json.h"
 
-namespace geargraph::inline teeth_wish {
+namespace geargraph {
 
 std::string problemText(std::string_view document, std::string_view wish) {
   std::string text = "{\"document\": ";
@@ -22,4 +22,4 @@ std::string markOf(std::string_view text) {
   return mark;
 }
 
-}  // namespace geargraph::inline teeth_wish
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline teeth_wish {
+namespace geargraph {
 
 /// {"document": ..., "wish": ...} in one line with canonical spaces. @pre both are JSON
 [[nodiscard]] std::string problemText(std::string_view document, std::string_view wish);
@@ -12,4 +12,4 @@ namespace geargraph::inline teeth_wish {
 /// who wants to deceive.
 [[nodiscard]] std::string markOf(std::string_view text);
 
-}  // namespace geargraph::inline teeth_wish
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace geargraph::inline teeth_wish {
+namespace geargraph {
 namespace {
 
 /// The unit of the last digit of "6.32e-1": 1/1000. std::nullopt for what is no decimal.
@@ -39,4 +39,4 @@ std::optional<RatioBounds> boundsOf(std::string_view written) {
   return RatioBounds{*ratio, *ratio - half, *ratio + half, false};
 }
 
-}  // namespace geargraph::inline teeth_wish
+}  // namespace geargraph

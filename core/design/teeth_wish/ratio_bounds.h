@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline teeth_wish {
+namespace geargraph {
 
 /// The interval of ratios that a wish accepts. Every comparison with it is one of fractions.
 struct RatioBounds {
@@ -31,4 +31,4 @@ struct RatioBounds {
 /// if the text is no number, or an interval would contain 0.
 [[nodiscard]] std::optional<RatioBounds> boundsOf(std::string_view written);
 
-}  // namespace geargraph::inline teeth_wish
+}  // namespace geargraph

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/json_object.h"
 
-namespace geargraph::inline teeth_wish {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kRatio =
@@ -80,7 +80,7 @@ class WishReader {
     return std::nullopt;
   }
 
-  LinkOrdinal linkAt(const Atom& name, const std::string& pointer, JsonValue at) {
+  LinkOrdinal linkAt(const InternedString& name, const std::string& pointer, JsonValue at) {
     if (name.empty()) return 0;  // said already
     const auto link = linkNamed(name.text());
     if (!link && !m_found.covers(pointer))
@@ -177,7 +177,7 @@ class WishReader {
       const auto& end = name == "drive" ? state.drive : state.driven;
       if (end) return linkNamedById(*end);
     }
-    const Atom id = from.requiredId(name);
+    const InternedString id = from.requiredId(name);
     if (id.empty()) return std::nullopt;
     return linkAt(id, from.pointer() + pointerStep(name), value.member(name).value_or(value));
   }
@@ -259,7 +259,7 @@ class WishReader {
   void readKept(JsonObject& from) {
     const auto names = from.ids("kept");
     if (!names) return;
-    for (const Atom& name : *names) {
+    for (const InternedString& name : *names) {
       if (isGearName(name.text())) {
         m_wish.kept.push_back(name.text());
       } else if (!name.empty()) {
@@ -324,4 +324,4 @@ Expected<TeethWish> readTeethWish(std::string_view json, const Mechanism& mechan
   return WishReader(*document, mechanism).run();
 }
 
-}  // namespace geargraph::inline teeth_wish
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline teeth_wish {
+namespace geargraph {
 
 /// A ratio that is wanted: the absolute speed of `drive` over that of `driven`, in a state of the document or
 /// with links held to the ground.
@@ -54,4 +54,4 @@ constexpr int kMaxStock = 1'000;
 /// Cost: O(bytes + links).
 [[nodiscard]] Expected<TeethWish> readTeethWish(std::string_view json, const Mechanism& mechanism);
 
-}  // namespace geargraph::inline teeth_wish
+}  // namespace geargraph

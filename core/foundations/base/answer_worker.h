@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "core/foundations/base/request_worker.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// What happens to answers to a request that a newer one has replaced.
 enum class Superseded {
@@ -150,4 +150,4 @@ class AnswerWorker {
   RequestWorker<Numbered> m_worker;     ///< last: stopped before the members it uses are destroyed
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

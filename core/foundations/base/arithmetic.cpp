@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace geargraph::inline base {
+namespace geargraph {
 namespace {
 
 constexpr int kDeepest = 64;
@@ -166,4 +166,4 @@ std::optional<Rational> arithmeticFromText(std::string_view text) {
   return Expression(text).run();
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

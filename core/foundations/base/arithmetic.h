@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// The exact value of an expression of numbers as Rational::fromText() reads them, with + - * / ^,
 /// parentheses and blanks: "2*3", "1/3+1/5", "-(100/22)^2"; × · ÷ and the Unicode minus sign are accepted
@@ -14,4 +14,4 @@ namespace geargraph::inline base {
 /// digits.
 [[nodiscard]] std::optional<Rational> arithmeticFromText(std::string_view text);
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/broken_contract.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 namespace {
 
 std::array<char, 512> broken{};
@@ -26,4 +26,4 @@ const char* brokenContract() {
   return broken.data();
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -6,9 +6,9 @@
 #define GEARGRAPH_REQUIRE(condition) \
   ((condition) ? void(0) : ::geargraph::contractBroken(#condition, __FILE__, __LINE__))
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// Prints the violated condition with its location and aborts.
 [[noreturn]] void contractBroken(const char* condition, const char* file, int line);
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

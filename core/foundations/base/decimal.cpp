@@ -6,7 +6,7 @@
 #include <string>
 #include <version>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 std::optional<double> decimalFrom(std::string_view text) {
   double value = 0;
@@ -25,4 +25,4 @@ std::optional<double> decimalFrom(std::string_view text) {
   return value;
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <utility>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// A value that is computed once, on first use, and then shared by all threads. Thread-safe.
 ///
@@ -55,4 +55,4 @@ class DeferredValue {
   mutable bool m_isMaking = false;               ///< guarded by m_mutex
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 namespace {
 
 struct CodeEntry {
@@ -180,4 +180,4 @@ void sortBySeverity(Diagnostics& diagnostics) {
       [](const Diagnostic& one, const Diagnostic& other) { return one.severity() < other.severity(); });
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

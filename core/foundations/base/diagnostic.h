@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 enum class Severity { error, warning, info };
 
@@ -154,4 +154,4 @@ inline void append(Diagnostics& all, const Diagnostics& more) {
 /// Errors, then warnings, then notes, each in their order.
 void sortBySeverity(Diagnostics& diagnostics);
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

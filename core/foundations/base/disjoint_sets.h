@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// The numbers 0, 1, ... in disjoint sets, each named by its smallest number, whatever the order in which
 /// they were joined (Boost's names are arbitrary). Joining shortens the ways to the names. Cost: about O(log
@@ -45,4 +45,4 @@ class DisjointSets {
   std::vector<std::size_t> m_parent;
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

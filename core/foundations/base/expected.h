@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/diagnostic.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// A value, or the diagnostics that explain why there is none. The member names are those of std::expected,
 /// which this toolchain lacks, so that this can become an alias later.
@@ -46,4 +46,4 @@ class [[nodiscard]] Expected {
   std::variant<Value, Diagnostics> m_state;
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 namespace {
 
 /// The process's texts by number. They stand in blocks, each twice as large as the one before, and never
@@ -57,9 +57,10 @@ AtomTable& atomTable() {
 
 }  // namespace
 
-Atom::Atom(std::string_view text) : m_number(text.empty() ? 0 : atomTable().numberOf(text)) {}
+InternedString::InternedString(std::string_view text)
+    : m_number(text.empty() ? 0 : atomTable().numberOf(text)) {}
 
-const std::string& Atom::text() const {
+const std::string& InternedString::text() const {
   static const std::string empty;
   return m_number == 0 ? empty : atomTable().text(m_number);
 }
@@ -88,4 +89,4 @@ std::string_view listName(ElementKind kind) {
   GEARGRAPH_REQUIRE(false);
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -6,16 +6,16 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// An interned immutable text: an atom is a number, so ids are as cheap as an integer to copy, compare and
 /// hash. Texts are never freed; a session has few.
 ///
 /// Thread-safe: atoms may be made and compared from any thread.
-class Atom {
+class InternedString {
  public:
-  Atom() = default;  ///< the empty text
-  explicit Atom(std::string_view text);
+  InternedString() = default;  ///< the empty text
+  explicit InternedString(std::string_view text);
 
   [[nodiscard]] const std::string& text() const;
   [[nodiscard]] bool empty() const { return m_number == 0; }
@@ -23,10 +23,12 @@ class Atom {
   /// empty text.
   [[nodiscard]] std::size_t hash() const { return m_number; }
 
-  friend bool operator==(Atom a, Atom b) { return a.m_number == b.m_number; }
-  friend bool operator!=(Atom a, Atom b) { return a.m_number != b.m_number; }
+  friend bool operator==(InternedString a, InternedString b) { return a.m_number == b.m_number; }
+  friend bool operator!=(InternedString a, InternedString b) { return a.m_number != b.m_number; }
   /// By text, so that the order does not depend on the run.
-  friend bool operator<(Atom a, Atom b) { return a.m_number != b.m_number && a.text() < b.text(); }
+  friend bool operator<(InternedString a, InternedString b) {
+    return a.m_number != b.m_number && a.text() < b.text();
+  }
 
  private:
   std::uint32_t m_number = 0;
@@ -39,18 +41,18 @@ class Id {
  public:
   Id() = default;
   explicit Id(std::string_view text) : m_atom(text) {}
-  explicit Id(Atom atom) : m_atom(atom) {}
+  explicit Id(InternedString atom) : m_atom(atom) {}
 
   [[nodiscard]] const std::string& text() const { return m_atom.text(); }
   [[nodiscard]] bool empty() const { return m_atom.empty(); }
-  [[nodiscard]] Atom atom() const { return m_atom; }
+  [[nodiscard]] InternedString atom() const { return m_atom; }
 
   friend bool operator==(Id a, Id b) { return a.m_atom == b.m_atom; }
   friend bool operator!=(Id a, Id b) { return a.m_atom != b.m_atom; }
   friend bool operator<(Id a, Id b) { return a.m_atom < b.m_atom; }
 
  private:
-  Atom m_atom;
+  InternedString m_atom;
 };
 
 using LinkId = Id<struct LinkTag>;
@@ -58,7 +60,7 @@ using AxisId = Id<struct AxisTag>;
 using JointId = Id<struct JointTag>;  ///< turning joints
 using MeshId = Id<struct MeshTag>;    ///< gear meshes
 using WheelId = Id<struct WheelTag>;
-using CouplingId = Id<struct CouplingTag>;
+using ShiftElementId = Id<struct CouplingTag>;
 using LoadId = Id<struct LoadTag>;
 using NoteId = Id<struct NoteTag>;
 
@@ -71,29 +73,29 @@ enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, st
 /// The id of any element, for selection, highlighting and diagnostics.
 struct ElementId {
   ElementKind kind = ElementKind::link;
-  Atom id;
+  InternedString id;
 
   ElementId() = default;
-  ElementId(ElementKind elementKind, Atom elementId) : kind(elementKind), id(elementId) {}
-  ElementId(LinkId link) : kind(ElementKind::link), id(link.atom()) {}                  // NOLINT
-  ElementId(AxisId axis) : kind(ElementKind::axis), id(axis.atom()) {}                  // NOLINT
-  ElementId(JointId joint) : kind(ElementKind::turningJoint), id(joint.atom()) {}       // NOLINT
-  ElementId(MeshId mesh) : kind(ElementKind::gearMesh), id(mesh.atom()) {}              // NOLINT
-  ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}              // NOLINT
-  ElementId(CouplingId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}  // NOLINT
-  ElementId(LoadId load) : kind(ElementKind::load), id(load.atom()) {}                  // NOLINT
-  ElementId(NoteId note) : kind(ElementKind::note), id(note.atom()) {}                  // NOLINT
+  ElementId(ElementKind elementKind, InternedString elementId) : kind(elementKind), id(elementId) {}
+  ElementId(LinkId link) : kind(ElementKind::link), id(link.atom()) {}                      // NOLINT
+  ElementId(AxisId axis) : kind(ElementKind::axis), id(axis.atom()) {}                      // NOLINT
+  ElementId(JointId joint) : kind(ElementKind::turningJoint), id(joint.atom()) {}           // NOLINT
+  ElementId(MeshId mesh) : kind(ElementKind::gearMesh), id(mesh.atom()) {}                  // NOLINT
+  ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}                  // NOLINT
+  ElementId(ShiftElementId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}  // NOLINT
+  ElementId(LoadId load) : kind(ElementKind::load), id(load.atom()) {}                      // NOLINT
+  ElementId(NoteId note) : kind(ElementKind::note), id(note.atom()) {}                      // NOLINT
 
   friend bool operator==(ElementId a, ElementId b) { return a.kind == b.kind && a.id == b.id; }
   friend bool operator!=(ElementId a, ElementId b) { return !(a == b); }
   friend bool operator<(ElementId a, ElementId b) { return a.kind != b.kind ? a.kind < b.kind : a.id < b.id; }
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph
 
 template <>
-struct std::hash<geargraph::Atom> {
-  std::size_t operator()(geargraph::Atom atom) const { return atom.hash(); }
+struct std::hash<geargraph::InternedString> {
+  std::size_t operator()(geargraph::InternedString atom) const { return atom.hash(); }
 };
 template <class Tag>
 struct std::hash<geargraph::Id<Tag>> {

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// How many kinds an enumeration names, counted from 0 without gaps; stated beside each enumeration of kinds.
 template <class Kind>
@@ -80,4 +80,4 @@ class AddedFacet {
   Kind m_kind;
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace geargraph::inline base {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxLength = 60;  // longer names are no slips of short ones
@@ -51,4 +51,4 @@ std::optional<std::string_view> nearestName(std::string_view name, std::span<con
   return nearest;
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

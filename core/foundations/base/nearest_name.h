@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// The known name that a mistyped one is probably meant to be: the same letters in another case or with other
 /// separators ("tail_teeth"), else the fewest letters that are wrong, left out, added or exchanged with their
@@ -13,4 +13,4 @@ namespace geargraph::inline base {
 [[nodiscard]] std::optional<std::string_view> nearestName(std::string_view name,
                                                           std::span<const std::string_view> known);
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// The position of an element in the list of its kind, from 0; -1 stands for none where stated. It counts and
 /// converts like an int, but that of a joint does not become that of a mesh: that would take two user-defined
@@ -80,9 +80,9 @@ using AxisOrdinal = Ordinal<AxisTag>;
 using JointOrdinal = Ordinal<JointTag>;  ///< also turning edges of the digraph
 using MeshOrdinal = Ordinal<MeshTag>;
 using WheelOrdinal = Ordinal<WheelTag>;
-using CouplingOrdinal = Ordinal<CouplingTag>;
-using ClassOrdinal = Ordinal<struct AxisClassTag>;  ///< of an axis class (placement)
-using GearOrdinal = Ordinal<struct GearTag>;        ///< of a wheel of the train (machine)
+using ShiftElementOrdinal = Ordinal<CouplingTag>;
+using AxisGroupOrdinal = Ordinal<struct AxisGroupTag>;  ///< of an axis class (placement)
+using GearOrdinal = Ordinal<struct GearTag>;            ///< of a wheel of the train (machine)
 
 /// A list with an entry for each element of another list, such as a speed by link.
 template <class Tag, class T>
@@ -135,7 +135,7 @@ using ByWheel = OrdinalVector<WheelTag, T>;
 template <class T>
 using ByCoupling = OrdinalVector<CouplingTag, T>;
 template <class T>
-using ByClass = OrdinalVector<AxisClassTag, T>;
+using ByClass = OrdinalVector<AxisGroupTag, T>;
 template <class T>
 using ByGear = OrdinalVector<GearTag, T>;
 
@@ -148,9 +148,9 @@ using SpanByJoint = OrdinalSpan<JointTag, T>;
 template <class T>
 using SpanByMesh = OrdinalSpan<MeshTag, T>;
 template <class T>
-using SpanByClass = OrdinalSpan<AxisClassTag, T>;
+using SpanByClass = OrdinalSpan<AxisGroupTag, T>;
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph
 
 template <class Tag>
 struct std::hash<geargraph::Ordinal<Tag>> {

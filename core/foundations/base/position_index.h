@@ -10,7 +10,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/id.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// Positions in a list by id. Ids that were interned together, as those of a file's list, have numbers close
 /// together: then it is a table by number, several times faster than a hash map; else a hash table with open
@@ -89,4 +89,4 @@ class PositionIndex {
   std::vector<Place> m_places;   ///< used instead if the numbers are far apart
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

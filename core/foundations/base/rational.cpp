@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxNumberLength = 4300;
@@ -181,4 +181,4 @@ Rational& Rational::operator/=(const Rational& other) {
   return *this;
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// An exact fraction of integers of any size, always in lowest terms with a positive denominator. Wraps
 /// FLINT's fmpq; small ones (below 2^62) do not allocate.
@@ -91,4 +91,4 @@ class Rational {
   fmpq_t m_value;
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 bool isLongFraction(std::string_view number) {
   return number.size() > kMaxReadableFraction && number.find('/') != std::string_view::npos;
@@ -13,7 +13,7 @@ bool isLongFraction(std::string_view number) {
 std::string readableNumber(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", value == 0 ? 0.0 : value);
-  return spokenNumber(buffer);
+  return localizedNumber(buffer);
 }
 
 std::string readableNumber(const Rational& value) {
@@ -21,4 +21,4 @@ std::string readableNumber(const Rational& value) {
   return isLongFraction(text) ? readableNumber(value.toDouble()) : text;
 }
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

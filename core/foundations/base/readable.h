@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 // Numbers as people read them, on screen, in reports and in printed tables. Exact values belong in JSON, CSV
 // and tooltips.
@@ -22,4 +22,4 @@ constexpr std::size_t kMaxReadableFraction = 9;
 /// The number itself where it is whole or a short fraction, "-8/3"; else as above.
 [[nodiscard]] std::string readableNumber(const Rational& value);
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/foundations/base/stoppable_thread.h"
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// The urgency of work: immediately, or in the background, when requests have paused for kRest.
 enum class Urgency { prompt, background };
@@ -100,4 +100,4 @@ class RequestWorker {
   StoppableThread m_thread;                       ///< last member: it starts when the others are initialised
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

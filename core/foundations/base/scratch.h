@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory_resource>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// The buffer of a Scratch, a base class so that it is constructed before the resource that uses it.
 template <std::size_t Bytes>
@@ -25,4 +25,4 @@ class Scratch final : private ScratchBuffer<Bytes>, public std::pmr::monotonic_b
   Scratch() : std::pmr::monotonic_buffer_resource(this->bytes.data(), Bytes) {}
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// An optional value for a member that few of many objects have: it takes two pointers in the object, and
 /// copies of the object share the value. Equality compares the values.
@@ -26,4 +26,4 @@ class SharedOptional {
   std::shared_ptr<const Value> m_value;
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-namespace geargraph::inline base {
+namespace geargraph {
 
 /// A thread whose stop can be requested and queried without waiting. The destructor requests it and waits
 /// for the end.
@@ -29,4 +29,4 @@ class StoppableThread {
   std::jthread m_thread;  ///< last: started after and joined before the other members
 };
 
-}  // namespace geargraph::inline base
+}  // namespace geargraph

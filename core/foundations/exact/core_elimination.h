@@ -11,7 +11,7 @@
 #include "core/foundations/exact/peeling.h"
 #include "core/foundations/exact/sparse_rows.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// Gaussian elimination of the rows left by peeling, sparsest pivots first (Markowitz). Used by eliminate().
 ///
@@ -22,13 +22,13 @@ namespace geargraph::inline exact {
 /// 3. A row that loses its last unknown is empty; repeat until all rows are used or empty. (Rows that never
 ///    have an acceptable pivot count as empty too: at the ratios' own values they vanish.)
 template <class Field>
-class CoreElimination {
+class MarkowitzElimination {
  public:
   using Value = typename Field::Value;
 
   /// `solved`, by unknown: 1 for those solved by peeling.
-  CoreElimination(const Field& field, const SparseRows<Value>& matrix, std::span<const int> sources,
-                  std::span<const char> solved, int columns)
+  MarkowitzElimination(const Field& field, const SparseRows<Value>& matrix, std::span<const int> sources,
+                       std::span<const char> solved, int columns)
       : m_field(field), m_rows(sources.size()), m_count(sources.size(), 0) {
     if (sources.empty()) return;
     m_active.assign(static_cast<std::size_t>(columns), 0);
@@ -192,4 +192,4 @@ class CoreElimination {
   std::vector<int> m_empty;
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

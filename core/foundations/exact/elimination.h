@@ -15,7 +15,7 @@
 #include "core/foundations/exact/peeling.h"
 #include "core/foundations/exact/sparse_rows.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// A homogeneous sparse system A x = 0 in an order of substitution: every unknown follows from those before.
 /// The unknowns are the columns 0 .. unknowns-1; the other columns are given (inputs, right-hand sides).
@@ -68,12 +68,12 @@ struct Elimination {
 /// @pre every column is below `columns`, unknowns <= columns; `peeling` is that of the rows' pattern
 template <class Field>
 [[nodiscard]] std::optional<Elimination<typename Field::Value>> eliminate(
-    const Field& field, SparseRows<typename Field::Value> rows, Peeling peeling, int unknowns, int columns,
-    const std::stop_token& stop) {
+    const Field& field, SparseRows<typename Field::Value> rows, SingletonElimination peeling, int unknowns,
+    int columns, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(unknowns <= columns);
   using Value = typename Field::Value;
   Elimination<Value> result(std::move(rows), unknowns, columns);
-  CoreElimination<Field> core(field, result.rows, peeling.coreRows, peeling.solved, columns);
+  MarkowitzElimination<Field> core(field, result.rows, peeling.coreRows, peeling.solved, columns);
   if (!core.run(stop)) return std::nullopt;
 
   result.coreSize = static_cast<int>(peeling.coreRows.size());
@@ -103,7 +103,7 @@ template <class Field>
 [[nodiscard]] std::optional<Elimination<typename Field::Value>> eliminate(
     const Field& field, SparseRows<typename Field::Value> rows, int unknowns, int columns,
     const std::stop_token& stop = {}) {
-  Peeling peeling(rows.pattern(), unknowns);
+  SingletonElimination peeling(rows.pattern(), unknowns);
   return eliminate(field, std::move(rows), std::move(peeling), unknowns, columns, stop);
 }
 
@@ -184,4 +184,4 @@ template <class Field>
   return negatedRowSum(field, system.matrixOf(check.core), check.row, x, width, place);
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

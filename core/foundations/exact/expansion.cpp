@@ -1,6 +1,6 @@
 #include "core/foundations/exact/expansion.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 using Line = Elimination<RationalFunction>::Line;
@@ -44,4 +44,4 @@ bool expand(const RationalFunctionField& field, const Elimination<RationalFuncti
   return true;
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/foundations/exact/fields.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// The most terms (numerator and denominator) of an expanded entry: more would be unreadable, and a chain of
 /// planetary stages with 40 links has 349,526.
@@ -36,4 +36,4 @@ struct ExpansionBudget {
                           const std::vector<char>& vanishing, std::vector<std::optional<RationalFunction>>& x,
                           ExpansionBudget& budget, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/foundations/exact/prime_field.h"
 #include "core/foundations/exact/rational_function.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 // The scalars of the elimination (elimination.h). A field has
 //   Value                          copyable; a default one is 0
@@ -27,17 +27,17 @@ namespace geargraph::inline exact {
 
 /// A double together with the same number modulo a prime: the residue decides what is 0, the double is the
 /// value.
-struct Fused {
+struct ModularDouble {
   double number = 0;
   PrimeField::Residue residue = 0;
 };
 
 /// The arithmetic of live results.
-class FusedField {
+class ModularDoubleField {
  public:
-  using Value = Fused;
+  using Value = ModularDouble;
 
-  explicit FusedField(std::uint64_t seed = PrimeField::kFirstSeed) : m_prime(seed) {}
+  explicit ModularDoubleField(std::uint64_t seed = PrimeField::kFirstSeed) : m_prime(seed) {}
 
   [[nodiscard]] const PrimeField& prime() const { return m_prime; }
   [[nodiscard]] Value one() const { return {1, m_prime.one()}; }
@@ -165,4 +165,4 @@ class RationalFunctionField {
   mutable std::stop_source m_enough;
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

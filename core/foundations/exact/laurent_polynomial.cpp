@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 using Powers = LaurentPolynomial::Powers;
@@ -34,18 +34,18 @@ void writeCoefficient(std::uint32_t* head, std::int64_t coefficient) {
 
 }  // namespace
 
-SmallWords::SmallWords(const SmallWords& other) {
+InlineUint32Vector::InlineUint32Vector(const InlineUint32Vector& other) {
   std::copy_n(other.data(), other.size(), grow(other.size()));
 }
 
-SmallWords& SmallWords::operator=(const SmallWords& other) {
+InlineUint32Vector& InlineUint32Vector::operator=(const InlineUint32Vector& other) {
   if (this == &other) return *this;
   m_size = 0;
   std::copy_n(other.data(), other.size(), grow(other.size()));
   return *this;
 }
 
-void SmallWords::reserve(std::size_t capacity) {
+void InlineUint32Vector::reserve(std::size_t capacity) {
   const std::size_t more = std::max(capacity, std::size_t{2} * m_capacity);
   auto* const heap = new std::uint32_t[more];
   std::copy_n(data(), m_size, heap);
@@ -208,4 +208,4 @@ bool operator==(const LaurentPolynomial& a, const LaurentPolynomial& b) {
          std::equal(a.m_words.data(), a.m_words.data() + a.m_words.size(), b.m_words.data());
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

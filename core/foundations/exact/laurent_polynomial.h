@@ -6,22 +6,22 @@
 #include <span>
 #include <utility>
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// A vector of 32-bit words with small-buffer optimisation: most values of an analysis do not allocate.
-class SmallWords {
+class InlineUint32Vector {
  public:
-  SmallWords() = default;
-  SmallWords(const SmallWords& other);
-  SmallWords(SmallWords&& other) noexcept { take(other); }
-  SmallWords& operator=(const SmallWords& other);
-  SmallWords& operator=(SmallWords&& other) noexcept {
+  InlineUint32Vector() = default;
+  InlineUint32Vector(const InlineUint32Vector& other);
+  InlineUint32Vector(InlineUint32Vector&& other) noexcept { take(other); }
+  InlineUint32Vector& operator=(const InlineUint32Vector& other);
+  InlineUint32Vector& operator=(InlineUint32Vector&& other) noexcept {
     if (this == &other) return *this;
     if (isOnHeap()) delete[] m_heap;
     take(other);
     return *this;
   }
-  ~SmallWords() {
+  ~InlineUint32Vector() {
     if (isOnHeap()) delete[] m_heap;
   }
 
@@ -44,7 +44,7 @@ class SmallWords {
 
   [[nodiscard]] bool isOnHeap() const { return m_capacity > kInPlace; }
   void reserve(std::size_t capacity);
-  void take(SmallWords& other) noexcept {
+  void take(InlineUint32Vector& other) noexcept {
     m_size = std::exchange(other.m_size, 0U);
     m_capacity = std::exchange(other.m_capacity, kInPlace);
     if (isOnHeap()) {
@@ -149,8 +149,8 @@ class LaurentPolynomial {
   bool appendProduct(const Term& a, const Term& b, int sign);
   bool combine(const LaurentPolynomial& other, int sign);
 
-  SmallWords m_words;
+  InlineUint32Vector m_words;
   int m_terms = 0;
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

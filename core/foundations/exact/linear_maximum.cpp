@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 /// The dictionary of the simplex method: basic variables, one a row, as linear functions of those that are 0.
@@ -95,4 +95,4 @@ std::optional<Rational> linearMaximum(std::span<const LinearBound> bounds,
   }
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

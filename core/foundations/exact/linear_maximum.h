@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// One condition of a linear program: sum of coefficients * x is at most `bound`.
 struct LinearBound {
@@ -22,4 +22,4 @@ struct LinearBound {
                                                     std::span<const Rational> objective,
                                                     int mostPivots = 1000);
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 /// The work of the constructor. Of each row, and of each column that rows leave over, it keeps how many
@@ -10,7 +10,7 @@ namespace {
 /// left.
 class Peeler {
  public:
-  Peeler(const SparsePattern& pattern, int unknowns, Peeling& result)
+  Peeler(const SparsePattern& pattern, int unknowns, SingletonElimination& result)
       : m_pattern(pattern),
         m_unknowns(unknowns),
         m_result(result),
@@ -121,7 +121,7 @@ class Peeler {
 
   const SparsePattern& m_pattern;
   int m_unknowns;
-  Peeling& m_result;
+  SingletonElimination& m_result;
   std::pmr::vector<Partners> m_rows;
   std::pmr::vector<int> m_starts;  ///< by column, and one behind: where its rows begin in m_around
   std::pmr::vector<int> m_around;
@@ -130,7 +130,7 @@ class Peeler {
 
 }  // namespace
 
-Peeling::Peeling(const SparsePattern& pattern, int unknowns)
+SingletonElimination::SingletonElimination(const SparsePattern& pattern, int unknowns)
     : first(pattern.memory()),
       last(pattern.memory()),
       coreRows(pattern.memory()),
@@ -139,4 +139,4 @@ Peeling::Peeling(const SparsePattern& pattern, int unknowns)
   Peeler(pattern, unknowns, *this).run();
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/exact/sparse_rows.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// An unknown and the equation that gives it.
 struct Pivot {
@@ -21,14 +21,14 @@ struct Pivot {
 ///    Real trains are peeled nearly completely: the rest (`coreRows`) is small.
 ///
 /// Cost: linear in the non-zeros.
-struct Peeling {
+struct SingletonElimination {
   std::pmr::vector<Pivot> first;
   std::pmr::vector<Pivot> last;
   std::pmr::vector<int> coreRows;   ///< in row order
   std::pmr::vector<int> emptyRows;  ///< rows whose unknowns were all solved by other rows
   std::pmr::vector<char> solved;    ///< by unknown: in `first` or `last`
 
-  Peeling(const SparsePattern& pattern, int unknowns);
+  SingletonElimination(const SparsePattern& pattern, int unknowns);
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

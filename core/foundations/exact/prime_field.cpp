@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 /// One step of the splitmix64 generator (Steele, Lea and Flood, 2014).
@@ -63,4 +63,4 @@ PrimeField::Residue ResidueStream::next() {
   }
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 __extension__ using Wide = unsigned __int128;  ///< GCC and clang have it, ISO C++ does not
 
@@ -86,4 +86,4 @@ class ResidueStream {
   std::uint64_t m_state;
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

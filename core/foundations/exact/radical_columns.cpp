@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 void RadicalColumns::add(int place, const Rational& coefficient, const Rational& square) {
   if (coefficient.isZero()) return;
@@ -42,4 +42,4 @@ Real RadicalColumns::at(int place) const {
   return sumOf(parts);
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/foundations/exact/real.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// A vector whose entries are sums of fractions times square roots, stored as one vector of fractions per
 /// root: sum over k of sqrt(square_k) * entries_k. No two roots are rational multiples of each other, so the
@@ -35,4 +35,4 @@ class RadicalColumns {
   std::vector<Column> m_columns = std::vector<Column>(1);
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

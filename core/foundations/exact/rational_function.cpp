@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 /// Owns a polynomial, 0 at first.
@@ -406,4 +406,4 @@ std::optional<Rational> RationalFunction::valueAt(std::span<const Rational> rati
   return valueOf(terms.above, ratios) / below;
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -15,7 +15,7 @@
 #include "core/foundations/exact/laurent_polynomial.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// The names of the gear ratios, and FLINT's context for polynomials in them. Create one per thread and
 /// analysis.
@@ -158,4 +158,4 @@ class RationalFunction {
   FractionPtr m_fraction;  ///< if it is no Laurent polynomial; m_laurent is 0 then
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/foundations/exact/rational_function.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 namespace {
 
 /// How the parts of a formula are written.
@@ -107,4 +107,4 @@ std::string RationalFunction::toLatex() const {
   return std::string(negative ? "-" : "") + "\\frac{" + above + "}{" + below.text() + "}";
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// A real number as a double, and as a fraction if it is known to be one. Sums and products of exact numbers
 /// are exact; values from roots or measurements are not.
@@ -65,4 +65,4 @@ class Real {
   std::optional<Rational> m_fraction = Rational(0);
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

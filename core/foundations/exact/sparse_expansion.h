@@ -9,7 +9,7 @@
 
 #include "core/foundations/exact/elimination.h"
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// The non-zeros of a vector, by ascending position.
 template <class Value>
@@ -85,4 +85,4 @@ template <class Field>
   return x;
 }
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace geargraph::inline exact {
+namespace geargraph {
 
 /// The positions of the non-zeros of a matrix, row by row.
 struct SparsePattern {
@@ -59,4 +59,4 @@ class SparseRows {
   std::pmr::vector<Value> m_values;
 };
 
-}  // namespace geargraph::inline exact
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -22,4 +22,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// The bytes in base64 (RFC 4648, section 4) with padding. Cost: O(bytes).
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

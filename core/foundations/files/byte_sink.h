@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// Receives bytes, for a file, a pipe or a text. Failures are stored by the sink instead of being returned by
 /// each call, so that writers need not handle them; the owner of the sink checks failed() at the end.
@@ -61,4 +61,4 @@ class BufferedSink final {
   std::string m_buffer;
 };
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

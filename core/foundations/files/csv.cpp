@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 std::string repeated(std::string_view field, std::size_t times) {
@@ -161,4 +161,4 @@ void CsvWriter::flush() {
   m_used = 0;
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -13,7 +13,7 @@
 
 #include "core/foundations/files/byte_sink.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// The format of a table. Lines end with a line feed, which both spreadsheet programs and scripts accept.
 struct CsvOptions {
@@ -152,4 +152,4 @@ void CsvWriter::sparseRow(std::string_view label, std::span<const Entry> entries
   m_used += static_cast<std::size_t>(out - begin);
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/utf8.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -152,4 +152,4 @@ std::string csvField(std::string_view text, char separator) {
   return quoted + '"';
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

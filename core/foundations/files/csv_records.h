@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/diagnostic.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// One field of a table without its quotes, and its position: 1-based line and column, in characters.
 struct CsvField {
@@ -75,4 +75,4 @@ class CsvRecords {
 /// blank. Identity: CsvRecords reads it back.
 [[nodiscard]] std::string csvField(std::string_view text, char separator);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

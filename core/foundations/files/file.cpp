@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file_identity.h"
 #include "core/foundations/files/overwrite.h"
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -199,4 +199,4 @@ std::optional<FileError> writeFile(const fs::path& path, std::string_view bytes)
   return file.commit();
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/foundations/files/byte_sink.h"
 #include "core/foundations/platform/open_file.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// Why a file could not be read or written, as a sentence for the user. No diagnostic, because it does not
 /// concern a document.
@@ -79,4 +79,4 @@ class StandardOutput final : public ByteSink {
 /// Writes a file atomically in one call; std::nullopt on success.
 [[nodiscard]] std::optional<FileError> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 namespace fs = std::filesystem;
 
@@ -43,4 +43,4 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, error) || canonicalPath(a) == canonicalPath(b);
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// The identity of a file in the file system, equal for all its symbolic and hard links.
 struct FileIdentity {
@@ -27,4 +27,4 @@ struct FileIdentity {
 /// Cost: some system calls per component.
 [[nodiscard]] bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -2,10 +2,10 @@
 
 #include <system_error>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ std::optional<FolderError> writeFolder(const fs::path& folder, const FolderFiles
   return writeInto(folder, files, options);
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

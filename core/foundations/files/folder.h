@@ -10,7 +10,7 @@
 
 #include "core/foundations/files/file.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// Files by their paths within a folder ("meshes/link-1.stl"), in the order in which they are written.
 using FolderFiles = std::vector<std::pair<std::string, std::string>>;
@@ -34,4 +34,4 @@ struct FolderError {
                                                      const FolderFiles& files,
                                                      const FolderOptions& options = {});
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

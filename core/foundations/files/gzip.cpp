@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 std::string gzip(std::string_view bytes) {
   constexpr int kGzip = 16;  // added to the size of the window: this header instead of zlib's
@@ -27,4 +27,4 @@ std::string gzip(std::string_view bytes) {
   return packed;
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/files/utf8.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 std::uint32_t hexOf(std::string_view digits) {
@@ -128,4 +128,4 @@ void appendJsonString(std::string& json, std::string_view text) {
   json += '"';
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/expected.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 enum class JsonKind : std::uint8_t { null, boolean, number, string, array, object };
 
@@ -106,4 +106,4 @@ class JsonValue {
 /// Appends a text as a JSON string with its quotes; control characters, quote and backslash escaped.
 void appendJsonString(std::string& json, std::string_view text);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -1,10 +1,10 @@
 #include <limits>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/utf8.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 bool isDigit(char c) {
@@ -267,4 +267,4 @@ Expected<JsonDocument> JsonDocument::parse(std::string_view text) {
   return JsonParser(text).run();
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

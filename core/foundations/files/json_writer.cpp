@@ -7,7 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/files/json.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 void JsonWriter::begin(char bracket, Layout layout) {
   beforeElement();
@@ -78,4 +78,4 @@ void JsonWriter::json(std::string_view text) {
   m_out.write(text);
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

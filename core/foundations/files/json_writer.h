@@ -7,7 +7,7 @@
 
 #include "core/foundations/files/byte_sink.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// Writes readable JSON piece by piece into a sink: containers with Layout::lines have each member on its own
 /// line, indented by two spaces, containers with Layout::row are on one line.
@@ -64,4 +64,4 @@ class JsonWriter {
   bool m_afterKey = false;
 };
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/files/csv.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// Writes a labelled matrix by the non-zeros of its rows: an IntegerMatrix of core/mechanism/graph, or any
 /// type with the same members, so that this layer does not depend on that one.
@@ -29,4 +29,4 @@ void writeMatrixCsv(ByteSink& sink, const Matrix& matrix, const CsvOptions& opti
   }
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

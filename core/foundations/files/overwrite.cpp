@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 Overwritten overwriteInPlace(const std::filesystem::path& target, OpenFile& source) {
   std::error_code error;
@@ -26,4 +26,4 @@ Overwritten overwriteInPlace(const std::filesystem::path& target, OpenFile& sour
   return {error, !undone};
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

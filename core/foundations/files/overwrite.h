@@ -5,7 +5,7 @@
 
 #include "core/foundations/platform/open_file.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// The result of overwriting a file in place.
 struct Overwritten {
@@ -19,4 +19,4 @@ struct Overwritten {
 /// returns. Cost: both files are read once; the old one is kept in memory.
 [[nodiscard]] Overwritten overwriteInPlace(const std::filesystem::path& target, OpenFile& source);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/files/byte_sink.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// Forwards bytes to another sink until a stop is requested. The owner of the other sink then discards what
 /// was written.
@@ -22,4 +22,4 @@ class StoppableSink final : public ByteSink {
   std::stop_token m_stop;
 };
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

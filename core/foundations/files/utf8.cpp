@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 namespace {
 
 bool isContinuation(unsigned char byte) {
@@ -62,4 +62,4 @@ void appendUtf8(std::string& text, std::uint32_t codePoint) {
   }
 }
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

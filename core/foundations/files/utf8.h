@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline files {
+namespace geargraph {
 
 /// The length of the well-formed UTF-8 character that starts at `at`, 1 to 4 bytes; 0 if there is none
 /// (overlong forms, surrogates and truncated characters are invalid). @pre at < text.size()
@@ -17,4 +17,4 @@ namespace geargraph::inline files {
 /// Appends a code point. @pre at most 0x10FFFF and no surrogate
 void appendUtf8(std::string& text, std::uint32_t codePoint);
 
-}  // namespace geargraph::inline files
+}  // namespace geargraph

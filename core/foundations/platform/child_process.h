@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace geargraph::inline platform {
+namespace geargraph {
 
 /// A program that reads a file from its standard input and writes its result to standard output.
 struct ChildProgram {
@@ -52,4 +52,4 @@ struct ChildResult {
 /// Can a program on this system drop its rights before it reads a file (core/foundations/sandbox)?
 [[nodiscard]] bool confinesChildren();
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace geargraph::inline platform {
+namespace geargraph {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -173,4 +173,4 @@ bool confinesChildren() {
   return true;
 }
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

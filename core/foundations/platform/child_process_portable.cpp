@@ -30,7 +30,7 @@
 #include <boost/process/windows.hpp>
 #endif
 
-namespace geargraph::inline platform {
+namespace geargraph {
 namespace {
 
 #if __has_include(<boost/process/v1/child.hpp>)
@@ -180,4 +180,4 @@ bool confinesChildren() {
   return false;
 }
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace geargraph::inline platform {
+namespace geargraph {
 
 enum class OpenMode {
   read,
@@ -76,4 +76,4 @@ class OpenFile {
   std::unique_ptr<State> m_state;  ///< null while no file is open
 };
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

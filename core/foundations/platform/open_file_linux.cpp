@@ -9,7 +9,7 @@
 
 #include "core/foundations/platform/open_file.h"
 
-namespace geargraph::inline platform {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ void OpenFile::takeExtendedAttributes(const fs::path& from) {
   }
 }
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/foundations/platform/open_file.h"
 
-namespace geargraph::inline platform {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ void OpenFile::takeExtendedAttributes(const fs::path& from) {
   (void)from;
 }
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace geargraph::inline platform {
+namespace geargraph {
 
 /// "Linux", or "portable" for the fallback with the standard library only.
 [[nodiscard]] std::string_view platformName();
@@ -45,4 +45,4 @@ struct FileStamp {
 /// Follows symbolic links. std::nullopt where there is no such file.
 [[nodiscard]] std::optional<FileStamp> fileStamp(const std::filesystem::path& path);
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline platform {
+namespace geargraph {
 
 namespace fs = std::filesystem;
 
@@ -64,4 +64,4 @@ std::optional<FileStamp> fileStamp(const fs::path& path) {
                    nanoseconds(status.st_ctim), FileNumbers{status.st_dev, status.st_ino}};
 }
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

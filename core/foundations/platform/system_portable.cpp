@@ -7,7 +7,7 @@
 #include "core/foundations/platform/open_file.h"
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline platform {
+namespace geargraph {
 
 namespace fs = std::filesystem;
 
@@ -53,4 +53,4 @@ std::optional<FileStamp> fileStamp(const fs::path& path) {
   return stamp;
 }
 
-}  // namespace geargraph::inline platform
+}  // namespace geargraph

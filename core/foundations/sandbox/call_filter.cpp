@@ -13,7 +13,7 @@
 
 #include "core/foundations/sandbox/sandbox.h"
 
-namespace geargraph::inline sandbox {
+namespace geargraph {
 namespace {
 
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
@@ -75,4 +75,4 @@ int filterCalls() {
   return -seccomp_load(filter.get());
 }
 
-}  // namespace geargraph::inline sandbox
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 
 #include "core/foundations/sandbox/sandbox.h"
 
-namespace geargraph::inline sandbox {
+namespace geargraph {
 namespace {
 
 /// landlock_ruleset_attr of version 6. An older kernel takes the longer structure where what it does not know
@@ -58,4 +58,4 @@ bool forbidFiles() {
   return isInForce;
 }
 
-}  // namespace geargraph::inline sandbox
+}  // namespace geargraph

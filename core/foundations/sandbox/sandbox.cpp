@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace geargraph::inline sandbox {
+namespace geargraph {
 namespace {
 
 // A sanitizer reserves terabytes of addresses.
@@ -52,4 +52,4 @@ std::optional<std::string> enterSandbox(const SandboxLimits& limits) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline sandbox
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace geargraph::inline sandbox {
+namespace geargraph {
 
 // A process that reads an untrusted file drops its rights before the first byte. Linux only: elsewhere it
 // keeps them, and only its parent limits its time and its output (platform/child_process.h).
@@ -45,4 +45,4 @@ struct SandboxLimits {
 /// Returns 0, or the error.
 [[nodiscard]] int filterCalls();
 
-}  // namespace geargraph::inline sandbox
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
-namespace geargraph::inline sandbox {
+namespace geargraph {
 
 std::optional<std::string> enterSandbox(const SandboxLimits& limits) {
   // For a parent that is gone; one that is there is quicker.
@@ -41,4 +41,4 @@ int filterCalls() {
   return ENOSYS;
 }
 
-}  // namespace geargraph::inline sandbox
+}  // namespace geargraph

@@ -4,13 +4,13 @@
 #include <numbers>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/solids/wheel_form.h"
 
 // A bevel: its teeth on a pitch cone, its body behind them.
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 using std::numbers::pi;
@@ -133,4 +133,4 @@ constexpr WheelForm kConeForm{.body = coneBody,
                               .checkBody = checkBore,
                               .tooFewTeeth = tooFewForRack};
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

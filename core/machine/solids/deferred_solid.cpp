@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 const std::shared_ptr<const Solid>& DeferredSolid::solid() const {
   std::call_once(m_once, [this] {
@@ -12,4 +12,4 @@ const std::shared_ptr<const Solid>& DeferredSolid::solid() const {
   return m_solid;
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// A solid that is made on first use. Thread-safe: concurrent requests wait for the first.
 class DeferredSolid {
@@ -28,4 +28,4 @@ class DeferredSolid {
   mutable std::atomic<const Solid*> m_ready{nullptr};
 };
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/solids/wheel_form.h"
 
 // A wheel with its teeth outside, on parallel axes.
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 /// Radii of a dressed wheel's web; none where hub and rim leave no room for one.
@@ -101,4 +101,4 @@ constexpr WheelForm kDiscForm{.body = discBody,
                               .checkBody = checkBore,
                               .tooFewTeeth = tooFewForRack};
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

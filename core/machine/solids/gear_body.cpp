@@ -2,7 +2,7 @@
 
 #include "core/machine/solids/wheel_form.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 std::vector<ProfileVertex> bodyProfile(const GearSpec& spec) {
   return wheelForm(spec).body(spec);
@@ -36,4 +36,4 @@ AxialSpan hubSpan(const GearSpec& spec) {
   return spanOf(bodyProfile(spec));
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/machine/solids/web_windows.h"
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// The profile of the body below the teeth, from the top face round to the bottom face, material on the left
 /// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. GearBody::plain: bore
@@ -39,4 +39,4 @@ struct AxialSpan {
 /// The same for the body alone, which a shaft has to fill: without the overhang of a bevel's teeth.
 [[nodiscard]] AxialSpan hubSpan(const GearSpec& spec);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

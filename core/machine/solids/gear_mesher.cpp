@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -392,4 +392,4 @@ Solid meshed(const GearBlank& blank) {
   return solid;
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

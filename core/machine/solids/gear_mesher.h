@@ -7,7 +7,7 @@
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/solids/web_windows.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// A point of the half-tooth profile at both faces, in the frame of tooth 0 (its half with y >= 0), lengths.
 struct OutlinePoint {
@@ -49,4 +49,4 @@ struct GearBlank {
 /// even with undercut. Cost: O(vertices).
 [[nodiscard]] Solid meshed(const GearBlank& blank);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

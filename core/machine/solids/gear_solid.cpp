@@ -11,7 +11,7 @@
 #include "core/machine/solids/toothless_gear.h"
 #include "core/machine/solids/wheel_form.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 namespace {
 
@@ -104,4 +104,4 @@ void GearCache::dropOldest() {
   }));
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/machine/solids/solid.h"
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// Chordal tolerances in modules: for export and close-up views, for some wheels on screen, for a train, and
 /// for a train in a small window.
@@ -69,4 +69,4 @@ class GearCache {
   std::size_t m_calls = 0;
 };
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/machine/solids/mass_properties.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 Eigen::Vector3d vertexOf(const Solid& solid, std::uint32_t vertex) {
@@ -68,4 +68,4 @@ MassProperties rescaled(const MassProperties& body, double factor) {
   return {body.mass, factor * body.center, factor * factor * body.inertia};
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// Mass, centre and inertia of a body, in consistent units: mass in density times length cubed, and so on.
 struct MassProperties {
@@ -25,4 +25,4 @@ struct MassProperties {
 /// The body in another unit of length; `factor` new units make one old unit. The mass value stays.
 [[nodiscard]] MassProperties rescaled(const MassProperties& body, double factor);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

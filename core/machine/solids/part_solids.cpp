@@ -8,7 +8,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector2d;
@@ -410,4 +410,4 @@ Solid plate(std::span<const Boss> corners, double from, double to, double tolera
   return solid;
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// The frame at `origin` with z along `axis` (unit vector) and x as near to `towards` as possible.
 [[nodiscard]] Eigen::Isometry3d frameAlong(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
@@ -45,4 +45,4 @@ struct Boss {
 /// @pre there is a corner
 [[nodiscard]] Solid plate(std::span<const Boss> corners, double from, double to, double tolerance);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -1,12 +1,12 @@
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/solids/wheel_form.h"
 
 // A ring: its teeth inside, its body outside of them.
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 std::vector<ProfileVertex> ringBody(const GearSpec& spec) {
@@ -58,4 +58,4 @@ constexpr WheelForm kRingForm{.body = ringBody,
                               .checkBody = checkRim,
                               .tooFewTeeth = tooFewInRing};
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 using std::numbers::pi;
@@ -133,4 +133,4 @@ int circleCount(double radius, double tolerance) {
   return std::max(12, chordsOfArc(2 * pi, radius, tolerance));
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// A vertex of a profile; revolved about the z axis it gives a circle, or at radius 0 a point.
 struct ProfileVertex {
@@ -80,4 +80,4 @@ class ShellBuilder {
 /// Number of vertices that keeps a circle within the tolerance (a length), at least 12.
 [[nodiscard]] int circleCount(double radius, double tolerance);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 Eigen::Vector3d wide(const Float3& p) {
@@ -53,4 +53,4 @@ Solid moved(const Solid& solid, const Eigen::Isometry3d& placed) {
   return result;
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

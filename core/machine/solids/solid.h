@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 using Float3 = std::array<float, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
@@ -39,4 +39,4 @@ void append(Solid& whole, const Solid& part, const Eigen::Isometry3d& placed = E
 /// The solid displaced by `placed`. Equal positions stay equal, so it stays closed.
 [[nodiscard]] Solid moved(const Solid& solid, const Eigen::Isometry3d& placed);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

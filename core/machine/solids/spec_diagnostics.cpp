@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/wheel_form.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 /// Numbers that no formula below survives; checked first.
@@ -41,4 +41,4 @@ Diagnostics specDiagnostics(const GearSpec& spec) {
   return found;
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

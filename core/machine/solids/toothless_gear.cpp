@@ -2,10 +2,10 @@
 
 #include "core/machine/solids/wheel_form.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 Solid toothlessGear(const GearSpec& spec, double tolerance) {
   return wheelForm(spec).toothless(spec, tolerance * spec.module);
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

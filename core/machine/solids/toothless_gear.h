@@ -3,7 +3,7 @@
 #include "core/machine/solids/solid.h"
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// With more teeth than this, a tooth is smaller than a pixel whenever the whole wheel is in view.
 constexpr int kMaxShownTeeth = 5'000;
@@ -14,4 +14,4 @@ constexpr int kMaxShownTeeth = 5'000;
 /// @pre specDiagnostics() is empty
 [[nodiscard]] Solid toothlessGear(const GearSpec& spec, double tolerance);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector2d;
@@ -191,4 +191,4 @@ void addWindowedWeb(ShellBuilder& builder, const WebWindows& windows, int count,
   web.addWalls();
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

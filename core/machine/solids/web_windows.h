@@ -5,7 +5,7 @@
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// Openings between the spokes of a wheel's web: polar rectangles with rounded corners and parallel spokes.
 struct WebWindows {
@@ -29,4 +29,4 @@ struct WebWindows {
 void addWindowedWeb(ShellBuilder& builder, const WebWindows& windows, int count, double start,
                     double tolerance);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

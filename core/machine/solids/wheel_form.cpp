@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 KindTable<GearKind, WheelForm>& wheelForms() {
   static constinit KindTable<GearKind, WheelForm> table(&kDiscForm, &kRingForm, &kConeForm, &kPulleyForm);
@@ -87,4 +87,4 @@ std::string tooFewForRack(const GearSpec& spec, int fewest) {
                     {std::to_string(spec.teeth), least});
 }
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

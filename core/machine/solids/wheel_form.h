@@ -13,7 +13,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline solids {
+namespace geargraph {
 
 /// What solids know of a kind of wheel: its blank, and where the blank carries teeth.
 struct WheelForm {
@@ -61,4 +61,4 @@ extern const WheelForm kPulleyForm;
 void checkBore(const GearSpec& spec, Diagnostics& found);
 [[nodiscard]] std::string tooFewForRack(const GearSpec& spec, int fewest);
 
-}  // namespace geargraph::inline solids
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/machine/teeth/sampling.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -290,4 +290,4 @@ HalfTooth bevelTooth(const GearSpec& spec, double tolerance) {
   return tooth;
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

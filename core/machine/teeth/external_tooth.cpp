@@ -7,7 +7,7 @@
 #include "core/machine/teeth/sampling.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 namespace {
 
 using std::numbers::pi;
@@ -158,4 +158,4 @@ HalfTooth externalTooth(const GearSpec& spec, double tolerance) {
   return tooth;
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth) {
   GearSpec spec;
@@ -60,4 +60,4 @@ double nominalRootRadius(const GearSpec& spec) {
   return wheelKind(spec.kind).rootRadius(spec);
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

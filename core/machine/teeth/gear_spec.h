@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// The kinds of wheels. What differs between them is asked of the kind: of its WheelKind (wheel_kind.h), or
 /// of its facet in the table of a layer that adds something. Nothing else compares kinds.
@@ -76,4 +76,4 @@ struct GearSpec {
 constexpr int kMinGearTeeth = 3;
 constexpr int kMinRingTeeth = 4;
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// A point of a tooth's outline. `rad` is the distance from the axis in modules (plane), or the colatitude
 /// from the gear's axis in radians (sphere, bevels); `gam` the angle about the axis from the tooth's centre
@@ -55,4 +55,4 @@ constexpr double kNarrowestLand = 0.2;
 /// az(c). For tests and tooth thickness. @pre c not inside the base cone
 [[nodiscard]] double sphericalInvoluteHalfAngle(const GearSpec& spec, double colatitude);
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

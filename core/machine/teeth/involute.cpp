@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 double involute(double angle) {
   return std::tan(angle) - angle;
@@ -40,4 +40,4 @@ double shiftSumFor(int teethSum, double distance, double pressureAngle) {
   return (involute(working) - involute(pressureAngle)) * teethSum / (2 * std::tan(pressureAngle));
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// inv a = tan a - a, the polar angle of the involute at pressure angle a.
 [[nodiscard]] double involute(double angle);
@@ -21,4 +21,4 @@ namespace geargraph::inline teeth {
 /// Pressure angle at which a pair with this centre distance (in modules) works; 0 at and below the limit.
 [[nodiscard]] double workingPressureAngle(int teethSum, double distance, double pressureAngle);
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

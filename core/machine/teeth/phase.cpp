@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -167,4 +167,4 @@ PhaseSolution solvePhases(std::span<const PhaseWheel> wheels, std::span<const Ph
   return PhaseSolver(wheels, meshes).solve();
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

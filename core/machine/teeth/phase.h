@@ -6,7 +6,7 @@
 
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// A toothed wheel for the phase calculation, in the frame of the carrier of the mesh (in the reference pose:
 /// the base frame).
@@ -73,4 +73,4 @@ struct PhaseSolution {
 /// decimals.
 constexpr double kPhaseFits = 1e-3;
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

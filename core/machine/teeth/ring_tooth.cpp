@@ -7,7 +7,7 @@
 #include "core/machine/teeth/sampling.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 namespace {
 
 using std::numbers::pi;
@@ -104,4 +104,4 @@ HalfTooth ringTooth(const GearSpec& spec, double tolerance) {
   return tooth;
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

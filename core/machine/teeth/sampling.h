@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// The share of the tolerance for flanks: in a mesh the chordal errors of both gears add up as transmission
 /// error.
@@ -71,4 +71,4 @@ template <class PointAt>
   return result;
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

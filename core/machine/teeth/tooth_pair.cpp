@@ -7,7 +7,7 @@
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 namespace {
 
 double squareOfSine(const GearSpec& spec) {
@@ -107,4 +107,4 @@ double planeContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearS
   return (end - begin) / (std::numbers::pi * std::cos(a.pressureAngle));
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

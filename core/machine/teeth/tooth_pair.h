@@ -3,7 +3,7 @@
 #include "core/machine/teeth/gear_spec.h"
 #include "core/machine/teeth/half_tooth.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// The smallest tooth count without undercut at the gear's profile shift: 2 (ha - x) / sin^2 a, for bevels
 /// with z / cos d in place of z. Not rounded.
@@ -36,4 +36,4 @@ namespace geargraph::inline teeth {
 [[nodiscard]] double bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
                                        const HalfTooth& toothB, double distance);
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/machine/teeth/tooth_pair.h"
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 namespace {
 
 double discTip(const GearSpec& spec) {
@@ -124,4 +124,4 @@ bool isDisc(const GearSpec& spec) {
   return !isRing(spec) && !isConical(spec);
 }
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

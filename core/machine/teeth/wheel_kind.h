@@ -10,7 +10,7 @@
 template <>
 inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 4;
 
-namespace geargraph::inline teeth {
+namespace geargraph {
 
 /// What every layer may know of a kind of wheel; solids, trains and drawings add a facet of their own.
 struct WheelKind {
@@ -48,4 +48,4 @@ constexpr double kHalfBelt = 0.25;
 /// Round its whole axis, with what meshes with it outside.
 [[nodiscard]] bool isDisc(const GearSpec& spec);
 
-}  // namespace geargraph::inline teeth
+}  // namespace geargraph

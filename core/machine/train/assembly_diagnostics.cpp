@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 /// Meshes by gear.
@@ -18,8 +18,8 @@ int across(const TrainMesh& mesh, GearOrdinal gear) {
 }
 
 /// The gears and meshes from one gear to another without the mesh that closes the loop.
-struct Loop {
-  Loop(const GearTrain& train, const MeshesOf& of, std::size_t closing) {
+struct AssemblyLoop {
+  AssemblyLoop(const GearTrain& train, const MeshesOf& of, std::size_t closing) {
     const TrainMesh& mesh = train.meshes[closing];
     std::map<int, std::size_t> from;  // mesh that led to a gear
     std::vector<int> queue{mesh.tailGear};
@@ -50,12 +50,12 @@ struct Epicyclic {
   int centralB = -1;
   bool found = false;
 
-  Epicyclic(const GearTrain& train, const Loop& loop) {
+  Epicyclic(const GearTrain& train, const AssemblyLoop& loop) {
     if (loop.gears.size() != 4) return;
     for (std::size_t i = 0; i < 2; ++i) {
       const int a = loop.gears[i];
       const int b = loop.gears[i + 2];
-      if (gear(train, a).axisClass != gear(train, b).axisClass) continue;
+      if (gear(train, a).axisGroup != gear(train, b).axisGroup) continue;
       centralA = a;
       centralB = b;
       planet = loop.gears[i == 0 ? 3 : 0];  // gears[0] and gears[3] are those of the closing mesh
@@ -147,7 +147,7 @@ std::string planetAdvice(const Mechanism& mechanism, const GearTrain& train, con
 
 /// How far a loop's teeth miss each other when one of its gears has another number of them, in the same
 /// directions.
-double residualWith(const GearTrain& train, const Loop& loop, std::size_t changed, int teeth) {
+double residualWith(const GearTrain& train, const AssemblyLoop& loop, std::size_t changed, int teeth) {
   std::vector<PhaseWheel> wheels;
   for (const int g : loop.gears) wheels.push_back(phaseWheel(Epicyclic::gear(train, g)));
   wheels[changed].teeth = teeth;
@@ -164,7 +164,7 @@ double residualWith(const GearTrain& train, const Loop& loop, std::size_t change
 }
 
 /// The nearest tooth counts with which the loop closes in the same directions, one gear changed at a time.
-std::string toothAdvice(const GearTrain& train, const Loop& loop) {
+std::string toothAdvice(const GearTrain& train, const AssemblyLoop& loop) {
   constexpr int kMaxDistance = 8;
   constexpr int kMaxProposals = 2;
   std::string text;
@@ -201,7 +201,7 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
     const double residual = train.meshes[m].residual;
     if (std::abs(residual) <= kPhaseFits) continue;
     if (stop.stop_requested()) return found;
-    const Loop loop(train, of, m);
+    const AssemblyLoop loop(train, of, m);
     Diagnostic d;
     d.code = Code::assembly;
     std::string labels;
@@ -224,4 +224,4 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
   return found;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -8,16 +8,16 @@
 #include "core/machine/solids/part_solids.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 /// (radius, coordinate along the first wheel's axis), a closed polygon.
-using Outline = std::vector<Eigen::Vector2d>;
+using PlaneOutline = std::vector<Eigen::Vector2d>;
 
-Outline outlineOf(const TrainWheel& wheel, const TrainWheel& along) {
+PlaneOutline outlineOf(const TrainWheel& wheel, const TrainWheel& along) {
   const double origin = (wheel.origin - along.origin).dot(along.axis);
   const double sense = wheel.axis.dot(along.axis);
-  Outline outline;
+  PlaneOutline outline;
   for (const ProfileVertex& c : wheelOutline(wheel.spec))
     outline.emplace_back(c.radius, origin + sense * c.height);
   return outline;
@@ -29,14 +29,14 @@ double side(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen:
 }
 
 template <class Visit>
-bool anyEdge(const Outline& outline, Visit visit) {
+bool anyEdge(const PlaneOutline& outline, Visit visit) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (visit(outline[i], outline[(i + 1) % outline.size()])) return true;
   }
   return false;
 }
 
-bool cross(const Outline& a, const Outline& b) {
+bool cross(const PlaneOutline& a, const PlaneOutline& b) {
   return anyEdge(a, [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
     return anyEdge(b, [&](const Eigen::Vector2d& r, const Eigen::Vector2d& s) {
       return side(p, q, r) * side(p, q, s) < 0 && side(r, s, p) * side(r, s, q) < 0;
@@ -44,7 +44,7 @@ bool cross(const Outline& a, const Outline& b) {
   });
 }
 
-bool holds(const Outline& outline, const Eigen::Vector2d& p) {
+bool holds(const PlaneOutline& outline, const Eigen::Vector2d& p) {
   bool inside = false;
   anyEdge(outline, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     const bool between = (a.y() > p.y()) != (b.y() > p.y());
@@ -55,7 +55,7 @@ bool holds(const Outline& outline, const Eigen::Vector2d& p) {
 }
 
 /// A point of its own: the middle of the outline's teeth.
-Eigen::Vector2d within(const Outline& outline) {
+Eigen::Vector2d within(const PlaneOutline& outline) {
   return (outline.front() + outline.back() + outline[outline.size() - 2]) / 3;
 }
 
@@ -65,7 +65,7 @@ constexpr double kMaxTurns = 1500;  // points of a circle; a wheel of 330 teeth 
 
 /// How deep a point lies within the outline: its distance from the nearest edge, below 0 outside. It changes
 /// by no more than the way between two points of space.
-double depthIn(const Outline& outline, const Eigen::Vector2d& p) {
+double depthIn(const PlaneOutline& outline, const Eigen::Vector2d& p) {
   double nearest = 1e300;
   anyEdge(outline, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     if (a.x() == 0 && b.x() == 0) return false;  // the axis is no surface
@@ -78,7 +78,7 @@ double depthIn(const Outline& outline, const Eigen::Vector2d& p) {
 }
 
 /// The radius of the bounding sphere of the wheel of an outline.
-double sizeOf(const Outline& outline) {
+double sizeOf(const PlaneOutline& outline) {
   double radius = 0, low = 1e300, high = -1e300;
   for (const Eigen::Vector2d& c : outline) {
     radius = std::max(radius, std::abs(c.x()));
@@ -148,7 +148,7 @@ class SurfaceSearch {
     return m_deep - depthIn(m_its, {(at - along * m_other.axis).norm(), along});
   }
 
-  Outline m_own, m_its;
+  PlaneOutline m_own, m_its;
   const TrainWheel& m_other;
   Eigen::Isometry3d m_frame;
   double m_pace = 0;  ///< between points
@@ -166,8 +166,8 @@ bool bevelsCollide(const TrainWheel& a, const TrainWheel& b) {
   const bool oneLine = std::abs(std::abs(a.axis.dot(b.axis)) - 1) < 1e-12 &&
                        (apart - apart.dot(a.axis) * a.axis).norm() <= kSameLine * a.workingRadius;
   if (!oneLine) return false;
-  const Outline first = outlineOf(a, a), second = outlineOf(b, a);
+  const PlaneOutline first = outlineOf(a, a), second = outlineOf(b, a);
   return cross(first, second) || holds(first, within(second)) || holds(second, within(first));
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// Do two coaxial bevel wheels overlap, judged by their outlines in the half plane through the line? Bores
 /// count as filled. False for wheels on different lines.
@@ -14,4 +14,4 @@ namespace geargraph::inline train {
 /// at most at any number (tests/bench/bench_gears.cpp).
 [[nodiscard]] bool bevelsCross(const TrainWheel& a, const TrainWheel& b);
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

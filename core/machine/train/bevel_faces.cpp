@@ -3,11 +3,11 @@
 
 #include "core/machine/train/wheel_envelopes.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 constexpr double kStep = 0.85;
-constexpr int kMaxSteps = 7;  // to a third
+constexpr int kMaxFaceSteps = 7;  // to a third
 
 /// Bevels are shortened together with all that meshes with them, so that teeth in mesh stay equally wide.
 class FaceShortener {
@@ -31,7 +31,7 @@ class FaceShortener {
     std::vector<double> widths;
     for (const GearOrdinal w : choices[2]) widths.push_back(faceWidth(w));
     double share = 1;
-    for (int i = 0; i < kMaxSteps; ++i) {
+    for (int i = 0; i < kMaxFaceSteps; ++i) {
       share *= kStep;
       for (const std::vector<GearOrdinal>& choice : choices) {
         if (choice.empty()) continue;
@@ -101,4 +101,4 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
   }
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 /// A gear in its transverse plane, a bevel on its back cone. Lengths in its module.
@@ -106,4 +106,4 @@ std::vector<std::optional<MeshContact>> meshContacts(const Mechanism& mechanism,
   return contacts;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

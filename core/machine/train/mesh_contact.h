@@ -7,7 +7,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// The contact of the teeth of a mesh along the line of action.
 struct MeshContact {
@@ -44,4 +44,4 @@ struct MeshContact {
                                                                    const Placement& placement,
                                                                    const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

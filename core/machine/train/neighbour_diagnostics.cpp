@@ -4,11 +4,11 @@
 #include <numbers>
 #include <set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -85,7 +85,7 @@ void NeighbourFinder::check(const TrainGear& centre, std::vector<Planet>& planet
   for (std::size_t i = 0; i < planets.size(); ++i) {
     const TrainGear& a = gear(planets[i].gear);
     const TrainGear& b = gear(planets[(i + 1) % planets.size()].gear);
-    if (a.axisClass == b.axisClass || a.spec.kind != b.spec.kind) continue;
+    if (a.axisGroup == b.axisGroup || a.spec.kind != b.spec.kind) continue;
     constexpr double kTouch = 1e-6;
     const double depth = overlap(a, b);
     if (depth > kTouch && m_said.insert(std::minmax(&a, &b)).second) report(centre, a, b, depth);
@@ -121,4 +121,4 @@ Diagnostics neighbourDiagnostics(const Mechanism& mechanism, const Placement& pl
   return NeighbourFinder(mechanism, placement, train).found;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

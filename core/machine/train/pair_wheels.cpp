@@ -1,6 +1,6 @@
 #include "core/machine/train/pair_wheels.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 constexpr PairWheels kTwoDiscs{GearKind::external, GearKind::external};
@@ -22,4 +22,4 @@ GearKind wheelOf(MeshKind kind, int teeth, int partnerTeeth) {
   return teeth > partnerTeeth ? wheels.larger : wheels.smaller;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include "core/machine/teeth/gear_spec.h"
 #include "core/mechanism/kinds/pair_kind.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// What trains know of a kind of gear pair: which wheels make it.
 struct PairWheels {
@@ -17,4 +17,4 @@ struct PairWheels {
 /// The kind of a pair's wheel with so many teeth.
 [[nodiscard]] GearKind wheelOf(MeshKind kind, int teeth, int partnerTeeth);
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

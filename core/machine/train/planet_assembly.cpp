@@ -5,18 +5,18 @@
 #include <utility>
 
 #include "core/foundations/base/disjoint_sets.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 #include "core/mechanism/placement/planet_groups.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxPlanetNames = 12;
 
 using Gears = std::vector<GearOrdinal>;
 
@@ -202,7 +202,7 @@ std::vector<Tie> PlanetSet::tiesOf(GearOrdinal g, const Eigen::Vector3d& axis) c
       const auto isOther = [other](const Reached& each) { return each.gear == other; };
       if (isOwn(other)) {
         if (std::none_of(queue.begin(), queue.end(), isOther)) queue.push_back({other, sense});
-      } else if (gear(other).axisClass == gear(centre).axisClass) {
+      } else if (gear(other).axisGroup == gear(centre).axisGroup) {
         const double backwards = wheel(other).axis.dot(about) < 0 ? 1 : -1;
         ties.push_back(
             {gear(g).spec.teeth, own * sense * backwards * gear(other).spec.teeth / gear(g).spec.teeth});
@@ -293,7 +293,7 @@ std::string adviceFor(const Mechanism& mechanism, const PlanetSet& set, const Eq
       ' ' + translated(
                 "Equal planets fit at multiples of 360/%1 = %2 degrees: move the axis of %3 round "
                 "the central axis",
-                {std::to_string(places), fixedText(pitch / kDegree, 3), listed(moves, kMaxNames)});
+                {std::to_string(places), fixedText(pitch / kDegree, 3), listed(moves, kMaxPlanetNames)});
   const auto [orbit, tip] = set.orbitAndTip();
   const int count = nearestPlanetCount(static_cast<int>(same.links.size()), places, orbit, tip);
   if (count > 0) text += translated(", or use %1 planets at equal distances", {std::to_string(count)});
@@ -316,8 +316,8 @@ Diagnostic unequalPlanets(const Mechanism& mechanism, const PlanetSet& set, cons
       "Links %1 are drawn as equal planets and cannot be equal parts: with all teeth in mesh, their gear "
       "with "
       "%2 teeth is turned against that with %3 teeth, compared with link %4, by %5.",
-      {listed(planets, kMaxNames), std::to_string(difference.otherTeeth), std::to_string(difference.teeth),
-       planets.front(), listed(turns, kMaxNames)});
+      {listed(planets, kMaxPlanetNames), std::to_string(difference.otherTeeth),
+       std::to_string(difference.teeth), planets.front(), listed(turns, kMaxPlanetNames)});
   return makeDiagnostic(Detail::unequalPlanets, message + adviceFor(mechanism, set, same),
                         std::move(elements));
 }
@@ -355,4 +355,4 @@ Diagnostics planetDiagnostics(const Mechanism& mechanism, const Placement& place
   return found;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxPermuted = 6;
@@ -42,13 +42,13 @@ int enclosed(const SpansOfAxis& links, double same) {
 }
 
 /// A stack, better the less it encloses, then the lower it is, then the shorter its shafts are.
-struct Verdict {
+struct OrderVerdict {
   int enclosed = 0;
   double height = 0;
   double shafts = 0;
 };
 
-bool isBetter(const Verdict& a, const Verdict& b) {
+bool isBetter(const OrderVerdict& a, const OrderVerdict& b) {
   constexpr double kSame = 1e-9;
   if (a.enclosed != b.enclosed) return a.enclosed < b.enclosed;
   if (std::abs(a.height - b.height) > kSame * b.height) return a.height < b.height;
@@ -76,17 +76,17 @@ class Stack {
   [[nodiscard]] std::map<int, SpansOfAxis> spansOf(const std::vector<double>& heights) const {
     std::map<int, SpansOfAxis> axes;
     for (const StackPlanes::Wheel& wheel : m_planes.wheels)
-      axes[wheel.axisClass][wheel.link].add(heights[static_cast<std::size_t>(wheel.plane)] + wheel.offset);
+      axes[wheel.axisGroup][wheel.link].add(heights[static_cast<std::size_t>(wheel.plane)] + wheel.offset);
     for (const StackPlanes::Carrier& carrier : m_planes.carriers)
-      addArm(axes[carrier.axisClass], carrier, heights);
+      addArm(axes[carrier.axisGroup], carrier, heights);
     return axes;
   }
 
-  [[nodiscard]] Verdict verdictOf(const std::vector<double>& heights) const {
-    Verdict verdict;
+  [[nodiscard]] OrderVerdict verdictOf(const std::vector<double>& heights) const {
+    OrderVerdict verdict;
     const std::map<int, SpansOfAxis> axes = spansOf(heights);
-    for (const StackPlanes::Cover& cover : m_planes.covers) {
-      const auto axis = axes.find(cover.axisClass);
+    for (const StackPlanes::BlockedPlane& cover : m_planes.covers) {
+      const auto axis = axes.find(cover.axisGroup);
       if (axis == axes.end()) continue;
       const double z = heights[static_cast<std::size_t>(cover.plane)] + cover.offset;
       verdict.enclosed +=
@@ -129,10 +129,10 @@ class Stack {
 std::vector<double> bestOfAll(const Stack& stack, std::vector<std::size_t> order,
                               const std::stop_token& stop) {
   std::vector<double> best = stack.heightsOf(order);
-  Verdict least = stack.verdictOf(best);
+  OrderVerdict least = stack.verdictOf(best);
   while (!stop.stop_requested() && std::next_permutation(order.begin(), order.end())) {
     std::vector<double> heights = stack.heightsOf(order);
-    const Verdict verdict = stack.verdictOf(heights);
+    const OrderVerdict verdict = stack.verdictOf(heights);
     if (!isBetter(verdict, least)) continue;
     least = verdict;
     best = std::move(heights);
@@ -143,7 +143,7 @@ std::vector<double> bestOfAll(const Stack& stack, std::vector<std::size_t> order
 std::vector<double> bestByMoves(const Stack& stack, std::vector<std::size_t> order,
                                 const std::stop_token& stop) {
   std::vector<double> best = stack.heightsOf(order);
-  Verdict least = stack.verdictOf(best);
+  OrderVerdict least = stack.verdictOf(best);
   for (bool moves = true; moves;) {
     moves = false;
     for (std::size_t from = 0; from < order.size(); ++from) {
@@ -155,7 +155,7 @@ std::vector<double> bestByMoves(const Stack& stack, std::vector<std::size_t> ord
         other.erase(other.begin() + static_cast<std::ptrdiff_t>(from));
         other.insert(other.begin() + static_cast<std::ptrdiff_t>(to), plane);
         std::vector<double> heights = stack.heightsOf(other);
-        const Verdict verdict = stack.verdictOf(heights);
+        const OrderVerdict verdict = stack.verdictOf(heights);
         if (!isBetter(verdict, least)) continue;
         least = verdict;
         best = std::move(heights);
@@ -180,4 +180,4 @@ std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_to
   return order.size() <= kMaxPermuted ? bestOfAll(stack, order, stop) : bestByMoves(stack, order, stop);
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

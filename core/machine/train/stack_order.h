@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/ordinal.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// The problem of stacking planes of wheels along parallel axes: any order in which nothing overlaps is
 /// valid.
@@ -13,27 +13,27 @@ struct StackPlanes {
   struct Wheel {
     int plane = 0;
     LinkOrdinal link = 0;
-    ClassOrdinal axisClass = 0;
+    AxisGroupOrdinal axisGroup = 0;
     double offset = 0;  ///< of its middle from that of its plane
   };
   /// A wheel through which another parallel axis passes, so that no shaft is possible there.
-  struct Cover {
+  struct BlockedPlane {
     int plane = 0;
-    ClassOrdinal axisClass = 0;  ///< the other axis
+    AxisGroupOrdinal axisGroup = 0;  ///< the other axis
     double offset = 0;
   };
   /// A link whose arms hold the axes of wheels: the arms are on one side of all of these.
   struct Carrier {
     LinkOrdinal link = 0;
-    ClassOrdinal axisClass = 0;  ///< about whose line it turns
-    std::vector<int> planes;     ///< of the wheels that it carries
+    AxisGroupOrdinal axisGroup = 0;  ///< about whose line it turns
+    std::vector<int> planes;         ///< of the wheels that it carries
   };
 
   std::vector<double> thickness;         ///< by plane: of its wheels
   double gap = 0;                        ///< between planes whose wheels would overlap
   std::vector<std::vector<bool>> meets;  ///< by pair: at one level, wheels of the two planes would overlap
   std::vector<Wheel> wheels;
-  std::vector<Cover> covers;
+  std::vector<BlockedPlane> covers;
   std::vector<Carrier> carriers;
 };
 
@@ -49,4 +49,4 @@ struct StackPlanes {
 /// Cost: O(p!) or O(rounds * p^2) times O(wheels^2 on an axis).
 [[nodiscard]] std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -1,15 +1,15 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 /// How far a ring's tip may be lowered before it is worth a word, in modules.
@@ -172,7 +172,7 @@ void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double d
 std::string fixedText(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return spokenNumber(text);
+  return localizedNumber(text);
 }
 
 Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
@@ -180,4 +180,4 @@ Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
   return ToothFinder(mechanism, train, stop).found;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

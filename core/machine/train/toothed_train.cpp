@@ -1,12 +1,12 @@
 #include "core/machine/train/toothed_train.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/part_solids.h"
 #include "core/machine/teeth/phase.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/train_diagnostics.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 /// The wheels' ids in the document, else "15:tail" by the first mesh of each.
@@ -75,7 +75,7 @@ GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
   for (const GearOrdinal w : wheels.wheels.ordinals()) {
     const TrainWheel& wheel = wheels.wheels[w];
     train.gears.push_back(
-        {names[static_cast<std::size_t>(w)], wheel.link, wheel.axisClass, wheel.meshes, wheel.id, wheel.spec,
+        {names[static_cast<std::size_t>(w)], wheel.link, wheel.axisGroup, wheel.meshes, wheel.id, wheel.spec,
          frames[static_cast<std::size_t>(w)] *
              Eigen::AngleAxisd(phases.angles[static_cast<std::size_t>(w)], Eigen::Vector3d::UnitZ())});
   }
@@ -145,4 +145,4 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
   return found;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/machine/train/train.h"
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// The wheels of a mechanism, shaped but not stacked (stackWheels()). The result is meaningless if `stop` was
 /// requested meanwhile.
@@ -26,4 +26,4 @@ namespace geargraph::inline train {
                                            const TrainWheels& wheels, const GearTrain& train,
                                            const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

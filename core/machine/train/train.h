@@ -12,11 +12,11 @@
 #include "core/machine/train/train_wheels.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline bodies {
+namespace geargraph {
 struct BodyPart;
-}  // namespace geargraph::inline bodies
+}  // namespace geargraph
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// A toothed wheel of the mechanism: its shape, and its place in the reference pose.
 struct TrainGear {
@@ -24,7 +24,7 @@ struct TrainGear {
   /// by the first mesh.
   std::string name;
   LinkOrdinal link = 0;             ///< the gear moves with this link
-  ClassOrdinal axisClass = 0;       ///< of the placement
+  AxisGroupOrdinal axisGroup = 0;   ///< of the placement
   std::vector<MeshOrdinal> meshes;  ///< in document order
   std::optional<WheelId> wheel;
   GearSpec spec;
@@ -80,4 +80,4 @@ struct GearTrain {
   bool hasSimpleBodies = false;
 };
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/machine/train/train.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// `undercut` and `interference` of the train's gears and pairs, with the values that would avoid them.
 /// Incomplete if `stop` was requested meanwhile.
@@ -49,4 +49,4 @@ namespace geargraph::inline train {
   return d;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/machine/train/train_parts.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache, double tolerance,
                       const std::stop_token& stop) {
@@ -23,4 +23,4 @@ TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCa
   return result;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/train/train.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// A solid that is part of a link.
 struct LinkPart {
@@ -30,4 +30,4 @@ struct TrainParts {
 [[nodiscard]] TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
                                     double tolerance, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

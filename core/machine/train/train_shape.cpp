@@ -16,7 +16,7 @@
 #include "core/machine/train/train_wheels.h"
 #include "core/machine/train/wheel_backlash.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 constexpr double kDefaultSpurFace = 8;  // modules
@@ -36,8 +36,8 @@ DisjointSets wheelsOfOneModule(const TrainWheels& train) {
 double rounded(double value, double step) {
   return std::round(value / step) * step + 0.0;  // no -0
 }
-constexpr double kModuleStep = 1e-6;  // of the first digit
-constexpr double kShiftStep = 1e-4;   // modules; a backlash of 0.00007 modules
+constexpr double kShapeModuleStep = 1e-6;  // of the first digit
+constexpr double kShiftStep = 1e-4;        // modules; a backlash of 0.00007 modules
 constexpr double kAngleStep = 1e-7;
 
 int teethSum(const TrainPair& pair, const TrainWheels& train) {
@@ -70,7 +70,7 @@ void setModules(const Mechanism& mechanism, TrainWheels& train) {
     const std::size_t group = groups.root(static_cast<std::size_t>(w));
     if (module[group] > 0) spec.module = module[group];  // else it has its module already: bevels, pulleys
     if (!isConical(spec) && isStated[group] != 0) continue;
-    spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
+    spec.module = rounded(spec.module, kShapeModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
     spec.coneAngle = rounded(spec.coneAngle, kAngleStep);
   }
 }
@@ -218,13 +218,13 @@ double defaultFace(const GearSpec& spec) {
 }
 
 /// What the meshes of a wheel cover of its axis, from its origin.
-struct Cover {
+struct BlockedPlane {
   double low = 0;
   double high = 0;
 };
 
 void setFaces(const Mechanism& mechanism, TrainWheels& train) {
-  ByGear<Cover> covers(train.wheels.size());
+  ByGear<BlockedPlane> covers(train.wheels.size());
   for (TrainPair& pair : train.pairs) {
     std::optional<Number> stated = mechanism.gearMeshes[pair.mesh].faceWidth;
     if (!stated && mechanism.gearDefaults) stated = mechanism.gearDefaults->faceWidth;
@@ -235,7 +235,7 @@ void setFaces(const Mechanism& mechanism, TrainWheels& train) {
       if (isConical(wheel.spec)) face = std::min(face, 0.6 * coneDistance(wheel.spec));
       const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
       const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
-      Cover& cover = covers[w];
+      BlockedPlane& cover = covers[w];
       cover.low = std::min(cover.low, plane - face / 2);
       cover.high = std::max(cover.high, plane + face / 2);
     }
@@ -307,4 +307,4 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop
   setTips(train);
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/machine/train/stack_order.h"
 #include "core/machine/train/wheel_envelopes.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -72,7 +72,7 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
   constexpr std::size_t kMaxPlanes = 40;
   if (planes.size() < 2 || planes.size() > kMaxPlanes || !planes.back().movable) return std::nullopt;
   const Vector3d axis = train.wheels[static_cast<std::size_t>(planes.back().wheels.front())].axis;
-  const AxisClasses& classes = *placement.classes;
+  const AxisGroups& classes = *placement.classes;
   StackPlanes stack;
   std::map<int, StackPlanes::Carrier> carriers;
   for (std::size_t p = 0; p < planes.size(); ++p) {
@@ -84,17 +84,17 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
       if (isAcross) continue;
       thickness = std::max(thickness, wheel.spec.faceWidth);
       stack.gap = std::max(stack.gap, kPlaneGap * wheel.spec.module);
-      stack.wheels.push_back({static_cast<int>(p), wheel.link, wheel.axisClass, middleOf(wheel).dot(axis)});
+      stack.wheels.push_back({static_cast<int>(p), wheel.link, wheel.axisGroup, middleOf(wheel).dot(axis)});
       for (std::size_t c = 0; c < classes.classes.size(); ++c) {
         if (envelopes.covers(w, static_cast<int>(c)))
           stack.covers.push_back({static_cast<int>(p), static_cast<int>(c), middleOf(wheel).dot(axis)});
       }
-      const LinkOrdinal rootLink = classes.classes[wheel.axisClass].rootLink;
+      const LinkOrdinal rootLink = classes.classes[wheel.axisGroup].rootLink;
       const int home = classes.classOfLink(rootLink);
       if (home < 0) continue;
       StackPlanes::Carrier& carrier = carriers[rootLink];
       carrier.link = rootLink;
-      carrier.axisClass = home;
+      carrier.axisGroup = home;
       carrier.planes.push_back(static_cast<int>(p));
     }
     stack.thickness.push_back(thickness);
@@ -291,7 +291,7 @@ std::vector<std::pair<int, int>> overlappingWheels(const TrainWheels& train, con
     if (stop.stop_requested()) return found;
     const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
     if (train.wheels[a].link == train.wheels[b].link || near[a].contains(other)) continue;
-    const bool coaxial = train.wheels[a].axisClass == train.wheels[b].axisClass;
+    const bool coaxial = train.wheels[a].axisGroup == train.wheels[b].axisGroup;
     const auto isNeighbour = [&](GearOrdinal w) { return near[b].contains(w); };
     if (envelopes.collide(one, other) &&
         (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
@@ -300,4 +300,4 @@ std::vector<std::pair<int, int>> overlappingWheels(const TrainWheels& train, con
   return found;
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/machine/train/pair_wheels.h"
 #include "core/machine/train/wheel_sharing.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -20,9 +20,9 @@ bool same(double a, double b, double scale) {
 /// How far operating radii of one wheel may differ between its meshes: profile shifts make up for no more.
 constexpr double kSameWheel = 0.12;
 
-struct Side {
+struct WheelSide {
   LinkOrdinal link;
-  ClassOrdinal axisClass;
+  AxisGroupOrdinal axisGroup;
   int teeth;
   double radius;
   std::optional<WheelId> named;
@@ -46,9 +46,11 @@ class WheelFinder {
 
  private:
   void addPair(MeshOrdinal mesh, const MeshGeometry& geometry);
-  [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, GearKind kind) const;
-  [[nodiscard]] TrainWheel pulley(const Side& side, const MeshGeometry& geometry, int partnerTeeth) const;
-  void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
+  [[nodiscard]] TrainWheel parallelWheel(const WheelSide& side, const MeshGeometry& geometry,
+                                         GearKind kind) const;
+  [[nodiscard]] TrainWheel pulley(const WheelSide& side, const MeshGeometry& geometry,
+                                  int partnerTeeth) const;
+  void bevelWheels(const WheelSide& tail, const WheelSide& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
   void setHelices(const GearMesh& drawn, const MeshGeometry& geometry, TrainWheel& a, TrainWheel& b) const;
   void compare(GearOrdinal wheel, const TrainWheel& with, MeshOrdinal mesh);
@@ -65,10 +67,10 @@ class WheelFinder {
 
 void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   const GearMesh& drawn = m_mechanism.gearMeshes[mesh];
-  const Side tail{geometry.tail, geometry.tailClass, drawn.tailTeeth, std::abs(geometry.tailRadius),
-                  drawn.tailWheel};
-  const Side head{geometry.head, geometry.headClass, drawn.headTeeth, std::abs(geometry.headRadius),
-                  drawn.headWheel};
+  const WheelSide tail{geometry.tail, geometry.tailClass, drawn.tailTeeth, std::abs(geometry.tailRadius),
+                       drawn.tailWheel};
+  const WheelSide head{geometry.head, geometry.headClass, drawn.headTeeth, std::abs(geometry.headRadius),
+                       drawn.headWheel};
   TrainPair pair;
   pair.mesh = mesh;
   pair.kind = geometry.kind;
@@ -80,7 +82,7 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
     bevelWheels(tail, head, geometry, a, b);
   } else if (!touches(geometry.kind)) {
     pair.distance =
-        wide(geometry.tailToHead).cross(wide(m_placement.lineOfClass(tail.axisClass).direction)).norm();
+        wide(geometry.tailToHead).cross(wide(m_placement.lineOfClass(tail.axisGroup).direction)).norm();
     a = pulley(tail, geometry, head.teeth);
     b = pulley(head, geometry, tail.teeth);
   } else {
@@ -106,11 +108,12 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   m_train.pairs.push_back(pair);
 }
 
-TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geometry, GearKind kind) const {
-  const AxisLine& line = m_placement.lineOfClass(side.axisClass);
+TrainWheel WheelFinder::parallelWheel(const WheelSide& side, const MeshGeometry& geometry,
+                                      GearKind kind) const {
+  const AxisLine& line = m_placement.lineOfClass(side.axisGroup);
   TrainWheel wheel;
   wheel.link = side.link;
-  wheel.axisClass = side.axisClass;
+  wheel.axisGroup = side.axisGroup;
   wheel.axis = wide(line.direction);
   wheel.origin =
       wide(line.point) + (wide(geometry.pitchPoint) - wide(line.point)).dot(wheel.axis) * wheel.axis;
@@ -121,7 +124,7 @@ TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geom
 
 /// A pulley of the running radius. Its teeth are those stated, or so many that its other measures, which are
 /// in modules, look like those of a pulley; both pulleys of a pair have one module.
-TrainWheel WheelFinder::pulley(const Side& side, const MeshGeometry& geometry, int partnerTeeth) const {
+TrainWheel WheelFinder::pulley(const WheelSide& side, const MeshGeometry& geometry, int partnerTeeth) const {
   constexpr int kFewest = 16;
   const int times = (kFewest + std::min(side.teeth, partnerTeeth) - 1) / std::min(side.teeth, partnerTeeth);
   TrainWheel wheel = parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partnerTeeth));
@@ -154,10 +157,10 @@ void WheelFinder::compare(GearOrdinal wheel, const TrainWheel& with, MeshOrdinal
 
 /// The half axes from the apex to the gears. Both point the way of the pitch point; where it does not lie
 /// between them, the larger wheel is a ring (an internal cone) and its axis points the other way.
-void WheelFinder::bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
-                              TrainWheel& b) const {
-  const AxisLine& lineA = m_placement.lineOfClass(tail.axisClass);
-  const AxisLine& lineB = m_placement.lineOfClass(head.axisClass);
+void WheelFinder::bevelWheels(const WheelSide& tail, const WheelSide& head, const MeshGeometry& geometry,
+                              TrainWheel& a, TrainWheel& b) const {
+  const AxisLine& lineA = m_placement.lineOfClass(tail.axisGroup);
+  const AxisLine& lineB = m_placement.lineOfClass(head.axisGroup);
   Vector3d ka = wide(lineA.direction);
   Vector3d kb = wide(lineB.direction);
   const Vector3d across = ka.cross(kb);
@@ -173,9 +176,9 @@ void WheelFinder::bevelWheels(const Side& tail, const Side& head, const MeshGeom
   if (isCrown(kb) && ka.dot(kb) > 0) kb = -kb;
   const bool between = ka.cross(line).dot(line.cross(kb)) > 0;
   if (!between && !isCrown(ka) && !isCrown(kb)) (tail.radius > head.radius ? ka : kb) *= -1;
-  const auto fill = [&](TrainWheel& wheel, const Side& side, int partnerTeeth, const Vector3d& k) {
+  const auto fill = [&](TrainWheel& wheel, const WheelSide& side, int partnerTeeth, const Vector3d& k) {
     wheel.link = side.link;
-    wheel.axisClass = side.axisClass;
+    wheel.axisGroup = side.axisGroup;
     wheel.axis = k;
     wheel.origin = apex;
     wheel.workingRadius = side.radius;
@@ -189,7 +192,7 @@ void WheelFinder::bevelWheels(const Side& tail, const Side& head, const MeshGeom
 
 bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
   if (a.id || b.id) return a.id == b.id;
-  if (a.axisClass != b.axisClass || a.spec.teeth != b.spec.teeth || a.spec.kind != b.spec.kind) return false;
+  if (a.axisGroup != b.axisGroup || a.spec.teeth != b.spec.teeth || a.spec.kind != b.spec.kind) return false;
   const double scale = a.workingRadius;
   if ((a.origin - b.origin).norm() > 1e-6 * scale) return false;
   if (!isConical(a.spec)) {
@@ -231,4 +234,4 @@ TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement, con
   return WheelFinder(mechanism, placement).find(stop);
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

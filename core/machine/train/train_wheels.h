@@ -10,12 +10,12 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// A wheel during the construction of the train.
 struct TrainWheel {
   LinkOrdinal link = 0;
-  ClassOrdinal axisClass = 0;
+  AxisGroupOrdinal axisGroup = 0;
   std::vector<MeshOrdinal> meshes;
   std::vector<double> planes;  ///< of its meshes: coordinate along the axis from the base origin; bevels: 0
   std::optional<WheelId> id;
@@ -80,4 +80,4 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
   return {v[0], v[1], v[2]};
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

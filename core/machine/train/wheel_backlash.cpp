@@ -1,6 +1,6 @@
 #include "core/machine/train/wheel_backlash.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 Rational backlashOf(const Mechanism& mechanism, const std::optional<WheelId>& wheel) {
   const Wheel* const drawn = wheel ? mechanism.find(*wheel) : nullptr;
@@ -10,4 +10,4 @@ Rational backlashOf(const Mechanism& mechanism, const std::optional<WheelId>& wh
   return {1, 25};
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/machine/train/bevel_collision.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
@@ -51,12 +51,12 @@ bool areParallel(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-WheelOrbit orbitOf(ClassOrdinal axisClass, const Placement& placement) {
-  const AxisClasses& classes = *placement.classes;
-  const AxisLine& line = placement.lineOfClass(axisClass);
+WheelOrbit orbitOf(AxisGroupOrdinal axisGroup, const Placement& placement) {
+  const AxisGroups& classes = *placement.classes;
+  const AxisLine& line = placement.lineOfClass(axisGroup);
   WheelOrbit orbit;
   orbit.at = wide(line.point);
-  orbit.carrier = classes.classes[axisClass].rootLink;
+  orbit.carrier = classes.classes[axisGroup].rootLink;
   const int about = classes.classOfLink(orbit.carrier);
   if (about < 0) return orbit;
   const AxisLine& centre = placement.lineOfClass(about);
@@ -83,7 +83,7 @@ WheelEnvelopes::WheelEnvelopes(const TrainWheels& train, const Placement& placem
   m_envelopes.reserve(train.wheels.size());
   for (const TrainWheel& wheel : train.wheels) {
     const Envelope& envelope = m_envelopes.emplace_back(envelopeOf(wheel, hasArms));
-    if (envelope.bevel) m_freeSide[wheel.axisClass] += wheel.axis;
+    if (envelope.bevel) m_freeSide[wheel.axisGroup] += wheel.axis;
   }
 }
 
@@ -92,13 +92,13 @@ WheelEnvelopes::Envelope WheelEnvelopes::envelopeOf(const TrainWheel& wheel, boo
   Envelope envelope;
   envelope.origin = wheel.origin;
   envelope.axis = wheel.axis;
-  envelope.axisClass = wheel.axisClass;
+  envelope.axisGroup = wheel.axisGroup;
   envelope.low = span.low;
   envelope.high = span.high;
   envelope.bevel = isConical(wheel.spec);
   if (isRing(wheel.spec)) envelope.inner = nominalTipRadius(wheel.spec);
   envelope.outer = outerRadius(wheel.spec);
-  envelope.orbit = m_orbits[wheel.axisClass];
+  envelope.orbit = m_orbits[wheel.axisGroup];
   envelope.hasArm = hasArms && !envelope.bevel;
   const double arm = envelope.hasArm ? kArmAllowance * wheel.spec.module : 0;
   envelope.hull = hullOf(wheel, envelope.low - arm, envelope.high + arm, envelope.outer);
@@ -167,10 +167,10 @@ bool WheelEnvelopes::mayIntersect(GearOrdinal moving, GearOrdinal other) const {
   return acrossPart(b.centre() - a.centre(), a.axis).squaredNorm() <= reach * reach;
 }
 
-bool WheelEnvelopes::covers(GearOrdinal wheel, ClassOrdinal axisClass) const {
+bool WheelEnvelopes::covers(GearOrdinal wheel, AxisGroupOrdinal axisGroup) const {
   const Envelope& covering = envelope(wheel);
-  const auto c = static_cast<std::size_t>(axisClass);
-  if (covering.bevel || covering.axisClass == axisClass || !areParallel(covering.axis, m_lines[c]))
+  const auto c = static_cast<std::size_t>(axisGroup);
+  if (covering.bevel || covering.axisGroup == axisGroup || !areParallel(covering.axis, m_lines[c]))
     return false;
   const double shaft = 2 * m_train.wheels[static_cast<std::size_t>(wheel)].spec.module;
   const double nearest = nearestAxes(covering.orbit, m_orbits[c], covering.axis);
@@ -193,7 +193,7 @@ bool WheelEnvelopes::discsCollide(const Envelope& a, const Envelope& b) {
   // Faces and rims that touch do not collide, however rounding has it.
   const double touch = kSameLine * std::min({a.high - a.low, b.high - b.low, a.outer, b.outer});
   if (a.high <= low + along + touch || high + along <= a.low + touch) return false;
-  if (a.axisClass == b.axisClass) return !(b.outer <= a.inner + touch || a.outer <= b.inner + touch);
+  if (a.axisGroup == b.axisGroup) return !(b.outer <= a.inner + touch || a.outer <= b.inner + touch);
   const double distance = nearestAxes(a.orbit, b.orbit, a.axis);
   const double now = acrossPart(b.origin - a.origin, a.axis).norm();
   const double far = std::max(distance, now);
@@ -208,7 +208,7 @@ bool WheelEnvelopes::hullsCollide(const Envelope& a, const Envelope& b) {
 bool WheelEnvelopes::collide(GearOrdinal one, GearOrdinal other) const {
   const Envelope& a = envelope(one);
   const Envelope& b = envelope(other);
-  if (a.bevel && b.bevel && a.axisClass == b.axisClass)
+  if (a.bevel && b.bevel && a.axisGroup == b.axisGroup)
     return bevelsCollide(m_train.wheels[static_cast<std::size_t>(one)],
                          m_train.wheels[static_cast<std::size_t>(other)]);
   const bool discs = !a.bevel && !b.bevel && areParallel(a.axis, b.axis);
@@ -219,4 +219,4 @@ bool WheelEnvelopes::collide(GearOrdinal one, GearOrdinal other) const {
                      m_train.wheels[static_cast<std::size_t>(other)]);
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

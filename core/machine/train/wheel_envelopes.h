@@ -8,18 +8,19 @@
 #include "core/machine/train/train_wheels.h"
 #include "core/mechanism/placement/disc_hull.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// The orbit of a wheel's axis on its carrier: two wheels on parallel axes whose carriers turn about one
 /// third axis can come as close as the difference of their orbits' radii.
 struct WheelOrbit {
   LinkOrdinal carrier = 0;  ///< the link that holds the wheel's axis
-  ClassOrdinal about = -1;  ///< the axis class that the carrier turns about; -1: the carrier is the ground
-  double radius = 0;        ///< of the orbit
-  Eigen::Vector3d at;       ///< a point of the wheel's axis
+  AxisGroupOrdinal about =
+      -1;              ///< the axis class that the carrier turns about; -1: the carrier is the ground
+  double radius = 0;   ///< of the orbit
+  Eigen::Vector3d at;  ///< a point of the wheel's axis
 };
 
-[[nodiscard]] WheelOrbit orbitOf(ClassOrdinal axisClass, const Placement& placement);
+[[nodiscard]] WheelOrbit orbitOf(AxisGroupOrdinal axisGroup, const Placement& placement);
 
 /// The smallest distance between two parallel axes in any pose; their present distance if both are held by
 /// one carrier, or one carries the other.
@@ -44,17 +45,17 @@ class WheelEnvelopes {
   /// Do two wheels overlap in the reference pose, or on parallel axes in any pose?
   [[nodiscard]] bool collide(GearOrdinal a, GearOrdinal b) const;
   /// Does another parallel axis pass through the wheel in any pose?
-  [[nodiscard]] bool covers(GearOrdinal wheel, ClassOrdinal axisClass) const;
+  [[nodiscard]] bool covers(GearOrdinal wheel, AxisGroupOrdinal axisGroup) const;
   /// The preferred direction for moving a wheel along its axis: the side from which the bevels on it come; 0
   /// if there are none.
   [[nodiscard]] const Eigen::Vector3d& freeSide(GearOrdinal wheel) const {
-    return m_freeSide[envelope(wheel).axisClass];
+    return m_freeSide[envelope(wheel).axisGroup];
   }
 
  private:
   struct Envelope {
     Eigen::Vector3d origin, axis;
-    ClassOrdinal axisClass = 0;
+    AxisGroupOrdinal axisGroup = 0;
     double low = 0, high = 0;  ///< along the axis from the origin
     double inner = 0, outer = 0;
     bool bevel = false;
@@ -81,4 +82,4 @@ class WheelEnvelopes {
   ByClass<Eigen::Vector3d> m_freeSide;
 };
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 namespace {
 
 /// In larger planes wheels share what is equal, whether all pass or not.
@@ -26,13 +26,13 @@ WheelSharing::WheelSharing(const Mechanism& mechanism, const Placement& placemen
     m_orbits.push_back(orbitOf(static_cast<int>(c), placement));
 }
 
-WheelSharing::Round WheelSharing::roundOf(const TrainWheel& wheel) {
+WheelSharing::WheelDisc WheelSharing::roundOf(const TrainWheel& wheel) {
   const double radius = wheel.workingRadius;
   const double module = 2 * radius / wheel.spec.teeth;
   const bool ring = isRing(wheel.spec);
   return {wheel.link,
           wheel.spec.teeth,
-          wheel.axisClass,
+          wheel.axisGroup,
           ring ? radius - kTip * module : 0,
           radius + (ring ? kRim : kTip) * module,
           wheel.axis};
@@ -40,11 +40,11 @@ WheelSharing::Round WheelSharing::roundOf(const TrainWheel& wheel) {
 
 /// Planets of one carrier stand where they are drawn; whether they have room there is a diagnostic of its
 /// own.
-bool WheelSharing::pass(const Round& a, const Round& b) const {
+bool WheelSharing::pass(const WheelDisc& a, const WheelDisc& b) const {
   if (m_meshing.contains({a.link, a.teeth, b.link, b.teeth})) return true;
-  if (a.axisClass == b.axisClass) return a.outer <= b.inner || b.outer <= a.inner;
-  const WheelOrbit& one = m_orbits[a.axisClass];
-  const WheelOrbit& other = m_orbits[b.axisClass];
+  if (a.axisGroup == b.axisGroup) return a.outer <= b.inner || b.outer <= a.inner;
+  const WheelOrbit& one = m_orbits[a.axisGroup];
+  const WheelOrbit& other = m_orbits[b.axisGroup];
   if (one.carrier == other.carrier) return true;
   const double distance = nearestAxes(one, other, a.axis);
   return distance >= a.outer + b.outer || distance + a.outer <= b.inner || distance + b.outer <= a.inner;
@@ -61,7 +61,7 @@ bool WheelSharing::passWith(std::optional<GearOrdinal> tail, const TrainWheel& t
   const auto tails = planeOf(tail), heads = planeOf(head);
   if (!tails.empty() && tails.data() == heads.data()) return true;
   if (tails.size() + heads.size() > kMaxAsked) return true;
-  const Round newTail = roundOf(tailWheel), newHead = roundOf(headWheel);
+  const WheelDisc newTail = roundOf(tailWheel), newHead = roundOf(headWheel);
   const auto passes = [&](GearOrdinal tailAt, GearOrdinal headAt) {
     if (tailAt == tail.value_or(-1) && headAt == head.value_or(-1)) return true;
     return pass(tailAt < 0 ? newTail : *m_rounds[tailAt], headAt < 0 ? newHead : *m_rounds[headAt]);
@@ -116,4 +116,4 @@ void WheelSharing::join(GearOrdinal tail, const TrainWheel& tailWheel, GearOrdin
   m_wheels[from].clear();
 }
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

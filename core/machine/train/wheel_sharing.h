@@ -8,7 +8,7 @@
 
 #include "core/machine/train/wheel_envelopes.h"
 
-namespace geargraph::inline train {
+namespace geargraph {
 
 /// Decides which meshes of a link on parallel axes share a wheel where the document leaves that open: equal
 /// wheels of a link become one only if nothing in their common plane interferes. The suns of compound
@@ -33,16 +33,16 @@ class WheelSharing {
   using PlaneOrdinal = Ordinal<struct PlaneTag>;
 
   /// A wheel as a disc or ring in its plane.
-  struct Round {
+  struct WheelDisc {
     LinkOrdinal link = 0;
     int teeth = 0;
-    ClassOrdinal axisClass = 0;
+    AxisGroupOrdinal axisGroup = 0;
     double inner = 0, outer = 0;
     Eigen::Vector3d axis;
   };
 
-  [[nodiscard]] static Round roundOf(const TrainWheel& wheel);
-  [[nodiscard]] bool pass(const Round& a, const Round& b) const;
+  [[nodiscard]] static WheelDisc roundOf(const TrainWheel& wheel);
+  [[nodiscard]] bool pass(const WheelDisc& a, const WheelDisc& b) const;
   [[nodiscard]] bool passWith(std::optional<GearOrdinal> tail, const TrainWheel& tailWheel,
                               std::optional<GearOrdinal> head, const TrainWheel& headWheel) const;
   [[nodiscard]] std::span<const GearOrdinal> planeOf(std::optional<GearOrdinal> wheel) const;
@@ -50,9 +50,9 @@ class WheelSharing {
 
   std::set<std::array<int, 4>> m_meshing;  ///< link and teeth of one wheel, then of the other
   ByClass<WheelOrbit> m_orbits;
-  ByGear<std::optional<Round>> m_rounds;  ///< none: not placed in a plane yet
+  ByGear<std::optional<WheelDisc>> m_rounds;  ///< none: not placed in a plane yet
   ByGear<PlaneOrdinal> m_planes;
   OrdinalVector<struct PlaneTag, std::vector<GearOrdinal>> m_wheels;  ///< by plane
 };
 
-}  // namespace geargraph::inline train
+}  // namespace geargraph

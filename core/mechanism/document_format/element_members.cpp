@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/element_reader.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// An object with the members of `changes` instead of those of `own`, without those that are null.
@@ -89,13 +89,14 @@ template Expected<TurningJoint> withMembers(const TurningJoint&, JsonValue, cons
                                             const std::string&);
 template Expected<GearMesh> withMembers(const GearMesh&, JsonValue, const MemberFilter&, const std::string&);
 template Expected<Wheel> withMembers(const Wheel&, JsonValue, const MemberFilter&, const std::string&);
-template Expected<Coupling> withMembers(const Coupling&, JsonValue, const MemberFilter&, const std::string&);
+template Expected<ShiftElement> withMembers(const ShiftElement&, JsonValue, const MemberFilter&,
+                                            const std::string&);
 template Expected<ShiftState> withMembers(const ShiftState&, JsonValue, const MemberFilter&,
                                           const std::string&);
 template Expected<Load> withMembers(const Load&, JsonValue, const MemberFilter&, const std::string&);
 template Expected<Axis> elementFrom(JsonValue, const MemberFilter&, const std::string&);
 template Expected<Wheel> elementFrom(JsonValue, const MemberFilter&, const std::string&);
-template Expected<Coupling> elementFrom(JsonValue, const MemberFilter&, const std::string&);
+template Expected<ShiftElement> elementFrom(JsonValue, const MemberFilter&, const std::string&);
 template Expected<Load> elementFrom(JsonValue, const MemberFilter&, const std::string&);
 
 Expected<Mechanism> withDocumentMembers(const Mechanism& mechanism, JsonValue changes,
@@ -110,4 +111,4 @@ Expected<Mechanism> withDocumentMembers(const Mechanism& mechanism, JsonValue ch
   return problems;
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

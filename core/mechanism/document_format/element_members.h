@@ -8,7 +8,7 @@
 #include "core/foundations/files/json.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 // Elements as JSON objects with the members of the document, for edits that are given as JSON. `Element` is
 // Link, Axis, TurningJoint, GearMesh, Wheel, Coupling, ShiftState or Load; of elementFrom() it is Axis,
@@ -40,4 +40,4 @@ template <class Element>
 [[nodiscard]] Expected<Mechanism> withDocumentMembers(const Mechanism& mechanism, JsonValue changes,
                                                       const MemberFilter& isMember);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

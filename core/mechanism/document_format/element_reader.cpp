@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 std::optional<MeshKind> meshKindOf(JsonObject& from, std::string_view name) {
@@ -135,12 +135,13 @@ class FieldReader {
       return kind && kind->is(JsonKind::string) && kind->equals(name);
     };
     if (is("brake")) {
-      m_element.kind = CouplingKind::brake;
+      m_element.kind = ShiftElementKind::brake;
       links = {LinkId(m_from.requiredId(field.infos[kBrakeLink].name))};
     } else if (is("clutch") || is("freewheel")) {
-      m_element.kind = is("clutch") ? CouplingKind::clutch : CouplingKind::freewheel;
+      m_element.kind = is("clutch") ? ShiftElementKind::clutch : ShiftElementKind::freewheel;
       (void)m_from.required(listInfo.name, listInfo.expected);
-      for (const Atom id : m_from.ids(listInfo.name).value_or(std::vector<Atom>{})) links.emplace_back(id);
+      for (const InternedString id : m_from.ids(listInfo.name).value_or(std::vector<InternedString>{}))
+        links.emplace_back(id);
     } else if (kind) {
       m_from.wrong(kindInfo.name, *kind, kindInfo.expected);
     }
@@ -174,10 +175,10 @@ class FieldReader {
     action = onLink;
   }
   template <class Member>
-  void read(const Member& field, decltype(Balance::at)& at) const {
+  void read(const Member& field, decltype(HoldingTorque::at)& at) const {
     const auto& [jointInfo, linkInfo, axisInfo] = field.infos;
     if (const auto link = oneOfJointAndLink(jointInfo, linkInfo)) {
-      at = Balance::OnLink{*link, optionalAxis(m_from, axisInfo.name)};
+      at = HoldingTorque::OnLink{*link, optionalAxis(m_from, axisInfo.name)};
     } else {
       at = JointId(m_from.requiredId(jointInfo.name));
     }
@@ -193,7 +194,7 @@ class FieldReader {
   }
 
   template <class Member>
-  void read(const Member& field, SheetPoint& place) const {
+  void read(const Member& field, CanvasPoint& place) const {
     const MemberInfo& info = field.info();
     const auto at = m_from.required(info.name, info.expected);
     if (!at) return;
@@ -272,9 +273,10 @@ void readValue(JsonObject& from, const MemberInfo& info, std::optional<LoadShari
   if (!value) from.wrong(info.name, *member, toTranslate("\"none\" or \"stiffness\""));
 }
 
-void readValue(JsonObject& from, const MemberInfo& info, std::vector<CouplingId>& value) {
+void readValue(JsonObject& from, const MemberInfo& info, std::vector<ShiftElementId>& value) {
   if (info.isNeeded) (void)from.required(info.name, info.expected);
-  for (const Atom id : from.ids(info.name).value_or(std::vector<Atom>{})) value.emplace_back(id);
+  for (const InternedString id : from.ids(info.name).value_or(std::vector<InternedString>{}))
+    value.emplace_back(id);
 }
 
 template <class Element>
@@ -299,11 +301,11 @@ template void readMembers(JsonObject& from, GearMesh& mesh);
 template void readMembers(JsonObject& from, Wheel& wheel);
 template void readMembers(JsonObject& from, GearDefaults& defaults);
 template void readMembers(JsonObject& from, Input& input);
-template void readMembers(JsonObject& from, Coupling& coupling);
+template void readMembers(JsonObject& from, ShiftElement& coupling);
 template void readMembers(JsonObject& from, ShiftState& state);
 template void readMembers(JsonObject& from, Load& load);
-template void readMembers(JsonObject& from, Balance& balance);
-template void readMembers(JsonObject& from, SheetNote& note);
+template void readMembers(JsonObject& from, HoldingTorque& balance);
+template void readMembers(JsonObject& from, CanvasNote& note);
 template void readMembers(JsonObject& from, ViewCamera& camera);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -8,14 +8,14 @@
 #include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/model/member_info.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// Reads the members of one object of a document, as its class is described (fields.h), except the id of an
 /// element: for the reader of documents and for edits that are given as JSON (element_members.h). What
 /// remains is JsonObject::unknown(). A coupling that could not be read has no links.
 ///
 /// `Element` is Link, LinkShape, Axis, TurningJoint, GearMesh, Wheel, GearDefaults, Input, Coupling,
-/// ShiftState, Load, Balance, SheetNote or ViewCamera.
+/// ShiftState, Load, Balance, CanvasNote or ViewCamera.
 template <class Element>
 void readMembers(JsonObject& from, Element& element);
 
@@ -30,6 +30,6 @@ void readValue(JsonObject& from, const MemberInfo& info, std::string& value);
 void readValue(JsonObject& from, const MemberInfo& info, std::optional<Number>& value);
 void readValue(JsonObject& from, const MemberInfo& info, std::optional<NumberTriple>& value);
 void readValue(JsonObject& from, const MemberInfo& info, std::optional<LoadSharing>& value);
-void readValue(JsonObject& from, const MemberInfo& info, std::vector<CouplingId>& value);
+void readValue(JsonObject& from, const MemberInfo& info, std::vector<ShiftElementId>& value);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

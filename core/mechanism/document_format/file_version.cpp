@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// Visits the members that a document states, as the writer does.
@@ -21,9 +21,9 @@ class VersionFinder {
       if (info.since > m_version && !(value == kDefault.*field.member)) m_version = info.since;
       inside(value);
     });
-    if constexpr (std::is_same_v<Object, Coupling>) {  // the kind is stated beside the links
+    if constexpr (std::is_same_v<Object, ShiftElement>) {  // the kind is stated beside the links
       constexpr int kFreewheels = 2;
-      if (object.kind == CouplingKind::freewheel) m_version = std::max(m_version, kFreewheels);
+      if (object.kind == ShiftElementKind::freewheel) m_version = std::max(m_version, kFreewheels);
     }
   }
 
@@ -67,4 +67,4 @@ int fileVersionOf(const Mechanism& mechanism) {
   return finder.version();
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

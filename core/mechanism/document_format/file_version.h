@@ -2,7 +2,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// The version of the format that a document needs: the newest of those since which its members and values
 /// exist (MemberInfo::since, PairKind::since). A member that equals its default is not written and needs
@@ -10,4 +10,4 @@ namespace geargraph::inline document_format {
 /// not know one rejects the document instead of misreading it. From 1 to kFileVersion. Cost: O(document).
 [[nodiscard]] int fileVersionOf(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

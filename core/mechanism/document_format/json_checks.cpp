@@ -6,9 +6,9 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/decimal.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// The decimal exponent of the leading digit of a JSON number: 2 for 345.6, -1 for 0.12. Zero gives 0.
@@ -190,4 +190,4 @@ std::string pointerStep(std::size_t position) {
   return "/" + std::to_string(position);
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/foundations/files/json.h"
 #include "core/mechanism/model/limits.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// Collects the diagnostics of one JSON text with their positions.
 class JsonDiagnostics {
@@ -48,4 +48,4 @@ void checkJson(const JsonDocument& document, JsonDiagnostics& diagnostics);
 [[nodiscard]] std::string pointerStep(std::string_view name);
 [[nodiscard]] std::string pointerStep(std::size_t position);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/utf8.h"
 #include "core/mechanism/model/unknown_members.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxQuoteLength = 40;
@@ -78,38 +78,38 @@ std::optional<JsonValue> JsonObject::required(std::string_view name, std::string
   return value;
 }
 
-std::optional<Atom> JsonObject::idOf(JsonValue value, const std::string& pointer) {
+std::optional<InternedString> JsonObject::idOf(JsonValue value, const std::string& pointer) {
   if (value.is(JsonKind::string)) {
     const std::string text = value.string();
-    if (!text.empty() && utf8Count(text) <= kMaxNameLength) return Atom(text);
+    if (!text.empty() && utf8Count(text) <= kMaxNameLength) return InternedString(text);
   } else if (value.is(JsonKind::number) && isWholeNumber(value.slice()) &&
              value.slice().size() <= kMaxNameLength) {
-    return Atom(value.slice() == "-0" ? "0" : value.slice());
+    return InternedString(value.slice() == "-0" ? "0" : value.slice());
   }
   wrongAt(pointer, value, kId);
   return std::nullopt;
 }
 
-Atom JsonObject::requiredId(std::string_view name) {
+InternedString JsonObject::requiredId(std::string_view name) {
   const auto value = required(name, kId);
-  return value ? idOf(*value, pointerTo(name)).value_or(Atom()) : Atom();
+  return value ? idOf(*value, pointerTo(name)).value_or(InternedString()) : InternedString();
 }
 
-std::optional<Atom> JsonObject::id(std::string_view name) {
+std::optional<InternedString> JsonObject::id(std::string_view name) {
   const auto value = member(name);
   if (!value) return std::nullopt;
-  return idOf(*value, pointerTo(name)).value_or(Atom());
+  return idOf(*value, pointerTo(name)).value_or(InternedString());
 }
 
-std::optional<std::vector<Atom>> JsonObject::ids(std::string_view name) {
+std::optional<std::vector<InternedString>> JsonObject::ids(std::string_view name) {
   const auto value = member(name);
   if (!value) return std::nullopt;
-  std::vector<Atom> result;
+  std::vector<InternedString> result;
   if (!value->is(JsonKind::array)) {
     wrong(name, *value, toTranslate("a list of ids"));
   } else if (!m_diagnostics.covers(pointerTo(name))) {
     value->forEachElement([&](JsonValue element, std::size_t position) {
-      result.push_back(idOf(element, pointerTo(name) + pointerStep(position)).value_or(Atom()));
+      result.push_back(idOf(element, pointerTo(name) + pointerStep(position)).value_or(InternedString()));
     });
   }
   return result;
@@ -238,4 +238,4 @@ UnknownMembers JsonObject::unknown() {
   return result;
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

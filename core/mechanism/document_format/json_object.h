@@ -11,7 +11,7 @@
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// Reads the members of one object of the file. A member of the wrong type adds a diagnostic with the
 /// expected and the actual type and reads as its default, so that all problems of a file are found in one
@@ -33,9 +33,9 @@ class JsonObject {
 
   /// An id, or a reference to one: a string, or a whole number that is read as its decimal digits. Empty,
   /// with a diagnostic, if it is missing.
-  [[nodiscard]] Atom requiredId(std::string_view name);
-  [[nodiscard]] std::optional<Atom> id(std::string_view name);
-  [[nodiscard]] std::optional<std::vector<Atom>> ids(std::string_view name);
+  [[nodiscard]] InternedString requiredId(std::string_view name);
+  [[nodiscard]] std::optional<InternedString> id(std::string_view name);
+  [[nodiscard]] std::optional<std::vector<InternedString>> ids(std::string_view name);
   [[nodiscard]] std::optional<std::string> text(std::string_view name);
   /// A text of at most kMaxNameLength characters.
   [[nodiscard]] std::optional<std::string> shortText(std::string_view name);
@@ -57,7 +57,7 @@ class JsonObject {
   [[nodiscard]] UnknownMembers unknown();
 
  private:
-  [[nodiscard]] std::optional<Atom> idOf(JsonValue value, const std::string& pointer);
+  [[nodiscard]] std::optional<InternedString> idOf(JsonValue value, const std::string& pointer);
   template <std::size_t count>
   [[nodiscard]] std::optional<std::array<Number, count>> numbers(std::string_view name,
                                                                  std::string_view expected);
@@ -74,4 +74,4 @@ class JsonObject {
   bool m_isObject;
 };
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

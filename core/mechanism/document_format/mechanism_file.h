@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// Bytes; larger files are rejected.
 constexpr std::size_t kLargestFile = std::size_t{64} * 1024 * 1024;
@@ -29,4 +29,4 @@ constexpr int kFileVersion = 2;
 /// written, the members of the format in their order, followed by the unknown ones.
 [[nodiscard]] std::string writeMechanism(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/element_reader.h"
 #include "core/mechanism/document_format/json_object.h"
@@ -10,7 +10,7 @@
 #include "core/mechanism/model/fields.h"
 #include "core/mechanism/model/validate.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// Finds values by their JSON pointer; the elements of top-level lists in constant time.
@@ -143,7 +143,7 @@ class MechanismReader {
     } else {
       if (value) readObjects(*value, info, list);
     }
-    if constexpr (std::is_same_v<List, ByCoupling<Coupling>>) nameLinks();
+    if constexpr (std::is_same_v<List, ByCoupling<ShiftElement>>) nameLinks();
   }
   template <class Element>
   void read(JsonObject& root, const MemberInfo& info, std::optional<std::vector<Element>>& list) {
@@ -162,8 +162,8 @@ class MechanismReader {
 
   /// Couplings that could not be read hold the ground, so that no more diagnostics follow.
   void nameLinks() {
-    for (Coupling& coupling : m_mechanism.couplings) {
-      const bool isUnread = coupling.links.empty() && coupling.kind == CouplingKind::brake;
+    for (ShiftElement& coupling : m_mechanism.couplings) {
+      const bool isUnread = coupling.links.empty() && coupling.kind == ShiftElementKind::brake;
       if (isUnread && !m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};
     }
   }
@@ -208,7 +208,7 @@ class MechanismReader {
     }
     const bool isRead = forEachObject(*list, pointer, [&](JsonObject& from) {
       Element element;
-      const Atom id = from.requiredId("id");
+      const InternedString id = from.requiredId("id");
       if (id.empty()) {
         m_unread.insert(kind);
       } else {
@@ -285,4 +285,4 @@ Expected<Mechanism> readMechanism(std::string_view bytes) {
   return MechanismReader(*document).run();
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

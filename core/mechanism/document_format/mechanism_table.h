@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// How a table is written.
 struct TableOptions {
@@ -46,4 +46,4 @@ struct TablePart {
 /// Reads a document or a table, decided by looksLikeTable().
 [[nodiscard]] Expected<Mechanism> readMechanismOrTable(std::string_view bytes);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

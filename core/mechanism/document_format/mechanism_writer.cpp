@@ -7,7 +7,7 @@
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -86,7 +86,7 @@ class MechanismWriter {
     if (one) id(field.info().name, *one);
   }
   template <class Member, class Object>
-  void member(const Member& field, const Object& /*object*/, const std::vector<CouplingId>& all) {
+  void member(const Member& field, const Object& /*object*/, const std::vector<ShiftElementId>& all) {
     if (field.info().isNeeded || !all.empty()) ids(field.info().name, all);
   }
   template <class Member, class Object>
@@ -158,8 +158,8 @@ class MechanismWriter {
     m_json.endArray();
   }
   template <class Member>
-  void member(const Member& field, const Coupling& coupling, const std::vector<LinkId>& links) {
-    const bool isBrake = coupling.kind == CouplingKind::brake;
+  void member(const Member& field, const ShiftElement& coupling, const std::vector<LinkId>& links) {
+    const bool isBrake = coupling.kind == ShiftElementKind::brake;
     m_json.member(field.infos[kCouplingKind].name, couplingKindName(coupling.kind));
     if (isBrake) {
       id(field.infos[kBrakeLink].name, links.front());
@@ -185,19 +185,19 @@ class MechanismWriter {
     }
   }
   template <class Member>
-  void member(const Member& field, const Balance& /*balance*/, const decltype(Balance::at)& at) {
+  void member(const Member& field, const HoldingTorque& /*balance*/, const decltype(HoldingTorque::at)& at) {
     const auto& [jointInfo, linkInfo, axisInfo] = field.infos;
     if (const auto* joint = std::get_if<JointId>(&at)) {
       id(jointInfo.name, *joint);
       return;
     }
-    const auto& onLink = std::get<Balance::OnLink>(at);
+    const auto& onLink = std::get<HoldingTorque::OnLink>(at);
     id(linkInfo.name, onLink.link);
     if (onLink.axis) id(axisInfo.name, *onLink.axis);
   }
 
   template <class Member, class Object>
-  void member(const Member& field, const Object& /*object*/, const SheetPoint& at) {
+  void member(const Member& field, const Object& /*object*/, const CanvasPoint& at) {
     m_json.key(field.info().name);
     place(at);
   }
@@ -215,7 +215,7 @@ class MechanismWriter {
 
   /// Nodes in the order of the links, so that a saved file reads like its list of links.
   template <class Member>
-  void member(const Member& field, const View& /*view*/, std::map<LinkId, SheetPoint> nodes) {
+  void member(const Member& field, const View& /*view*/, std::map<LinkId, CanvasPoint> nodes) {
     if (nodes.empty()) return;
     m_json.key(field.info().name);
     m_json.beginObject();
@@ -244,12 +244,12 @@ class MechanismWriter {
     m_json.endObject();
   }
 
-  void point(const std::pair<const LinkId, SheetPoint>& node) {
+  void point(const std::pair<const LinkId, CanvasPoint>& node) {
     m_json.key(node.first.text());
     place(node.second);
   }
 
-  void place(SheetPoint at) {
+  void place(CanvasPoint at) {
     m_json.beginArray(Layout::row);
     m_json.number(at.x);
     m_json.number(at.y);
@@ -323,8 +323,8 @@ template std::string elementJson(const Axis&);
 template std::string elementJson(const TurningJoint&);
 template std::string elementJson(const GearMesh&);
 template std::string elementJson(const Wheel&);
-template std::string elementJson(const Coupling&);
+template std::string elementJson(const ShiftElement&);
 template std::string elementJson(const ShiftState&);
 template std::string elementJson(const Load&);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

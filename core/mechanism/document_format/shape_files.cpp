@@ -3,10 +3,10 @@
 #include <fstream>
 #include <set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/element_pointer.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 Diagnostics missingFileDiagnostics(const Mechanism& mechanism, const std::filesystem::path& folder) {
   Diagnostics missing;
@@ -36,4 +36,4 @@ Diagnostics missingFileDiagnostics(const Mechanism& mechanism, const std::filesy
   return missing;
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

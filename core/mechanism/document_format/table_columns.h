@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// The columns that tables of version 1 began with, in the order in which they are written. Those of members
 /// that came later follow. Most are named like the member of the document; points are x y z; directions,
@@ -181,7 +181,7 @@ void fieldColumns(Row& row, const Member& field, Object& object) {
   } else if constexpr (kIsId<Value> || std::is_same_v<Value, std::optional<LinkId>> ||
                        std::is_same_v<Value, std::optional<WheelId>>) {
     row.id(info.name, value);
-  } else if constexpr (std::is_same_v<Value, std::vector<CouplingId>>) {
+  } else if constexpr (std::is_same_v<Value, std::vector<ShiftElementId>>) {
     row.ids(info.name, value);
   } else if constexpr (std::is_same_v<Value, bool>) {
     row.flag(info.name, value);
@@ -217,7 +217,7 @@ void fieldColumns(Row& row, const Member& field, Object& object) {
       if (defaults != GearDefaults()) value = std::move(defaults);
     }
   } else if constexpr (std::is_same_v<Value, decltype(Load::action)> ||
-                       std::is_same_v<Value, decltype(Balance::at)>) {
+                       std::is_same_v<Value, decltype(HoldingTorque::at)>) {
     row.action(field.infos, value);
   }
 }
@@ -233,4 +233,4 @@ void elementColumns(Row& row, Object& object) {
   (std::make_index_sequence<kOrder.size()>());
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <unordered_map>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
@@ -14,7 +14,7 @@
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/validate.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// The steps of a JSON pointer to a member of a document: {"axes", "3", "point", "0"}.
@@ -53,7 +53,7 @@ std::string_view columnOf(std::string_view member, std::size_t position) {
 std::vector<std::string> rowNames() {
   std::vector<std::string> names{std::string(Description<Mechanism>::name)};
   const auto add = [&]<class Element>(const Element* /*none*/) {
-    if constexpr (std::is_same_v<Element, Coupling>) {
+    if constexpr (std::is_same_v<Element, ShiftElement>) {
       names.insert(names.end(), {"brake", "clutch"});
     } else {
       names.emplace_back(Description<Element>::name);
@@ -182,14 +182,15 @@ class TableReader {
   requires DescribedList<List>
   bool readInto(std::string_view name, List& list, std::string_view element, TableRowReader& row) {
     using Element = typename ElementOfList<List>::Type;
-    if constexpr (std::is_same_v<Element, Coupling>) {
-      Coupling coupling;
-      const std::array kinds{CouplingKind::brake, CouplingKind::clutch, CouplingKind::freewheel};
-      const auto kind = std::find_if(kinds.begin(), kinds.end(),
-                                     [&](CouplingKind each) { return couplingKindName(each) == element; });
+    if constexpr (std::is_same_v<Element, ShiftElement>) {
+      ShiftElement coupling;
+      const std::array kinds{ShiftElementKind::brake, ShiftElementKind::clutch, ShiftElementKind::freewheel};
+      const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](ShiftElementKind each) {
+        return couplingKindName(each) == element;
+      });
       if (kind == kinds.end()) return false;
       coupling.kind = *kind;
-      coupling.links.resize(coupling.kind == CouplingKind::brake ? 1 : 2);
+      coupling.links.resize(coupling.kind == ShiftElementKind::brake ? 1 : 2);
       add(name, list, row, std::move(coupling));
     } else {
       if (element != Description<Element>::name) return false;
@@ -293,4 +294,4 @@ Expected<Mechanism> readMechanismOrTable(std::string_view bytes) {
   return looksLikeTable(bytes) ? readMechanismTable(bytes) : readMechanism(bytes);
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

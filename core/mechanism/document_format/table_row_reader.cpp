@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/utf8.h"
 #include "core/mechanism/document_format/table_columns.h"
 #include "core/mechanism/document_format/table_text.h"
 #include "core/mechanism/model/limits.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// A cell in a message, cut where it is long.
@@ -110,14 +110,14 @@ std::string TableRowReader::shortId() {
   return text.size() <= kMaxNameLength ? unguardedText(text) : std::string();
 }
 
-std::optional<Atom> TableRowReader::atom(std::string_view column) {
+std::optional<InternedString> TableRowReader::atom(std::string_view column) {
   const std::string text = unguardedText(cell(column));
   if (text.empty()) return std::nullopt;
   if (text.size() > kMaxNameLength && utf8Count(text) > kMaxNameLength) {
     unexpected(column, toTranslate("an id of at most 1,000 characters"));
     return std::nullopt;
   }
-  return Atom(text);
+  return InternedString(text);
 }
 
 template <class Tag>
@@ -130,7 +130,7 @@ void TableRowReader::ids(std::string_view column, std::vector<Id<Tag>>& ids) {
     ids.emplace_back(text);
   }
 }
-template void TableRowReader::ids(std::string_view column, std::vector<CouplingId>& ids);
+template void TableRowReader::ids(std::string_view column, std::vector<ShiftElementId>& ids);
 
 void TableRowReader::number(std::string_view column, std::optional<Number>& number) {
   std::string text = cell(column);
@@ -225,15 +225,15 @@ void TableRowReader::action(const std::array<MemberInfo, 6>& infos, decltype(Loa
   action = LinkForce{*cells.link, *cells.force, *cells.point};
 }
 
-void TableRowReader::action(const std::array<MemberInfo, 3>& infos, decltype(Balance::at)& at) {
+void TableRowReader::action(const std::array<MemberInfo, 3>& infos, decltype(HoldingTorque::at)& at) {
   ActionCells cells;
   actionColumns(*this, infos, cells);
   if (!namesPlace(cells)) return;
   if (cells.joint) {
     at = *cells.joint;
   } else {
-    at = Balance::OnLink{*cells.link, cells.axis};
+    at = HoldingTorque::OnLink{*cells.link, cells.axis};
   }
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

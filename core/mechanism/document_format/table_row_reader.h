@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "core/foundations/base/diagnostic.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/model/member_info.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// Collects at most kMax diagnostics about a table, so that a malicious file cannot exhaust the memory.
 class TableDiagnostics {
@@ -66,7 +66,7 @@ class TableRowReader {
   void flag(std::string_view column, bool& flag);
   /// What a load does, and where a balance acts: several cells together.
   void action(const std::array<MemberInfo, 6>& infos, decltype(Load::action)& action);
-  void action(const std::array<MemberInfo, 3>& infos, decltype(Balance::at)& at);
+  void action(const std::array<MemberInfo, 3>& infos, decltype(HoldingTorque::at)& at);
 
   /// From here on, diagnostics name the element of the column "id".
   template <class ElementsId>
@@ -92,7 +92,7 @@ class TableRowReader {
   void unexpected(std::string_view column, std::string_view expected);
   /// The id in the column "id"; empty if there is no valid one.
   [[nodiscard]] std::string shortId();
-  [[nodiscard]] std::optional<Atom> atom(std::string_view column);
+  [[nodiscard]] std::optional<InternedString> atom(std::string_view column);
 
   const TableHeader& m_header;
   const std::vector<CsvField>& m_fields;
@@ -137,4 +137,4 @@ void TableRowReader::numbers(const std::array<std::string_view, count>& columns,
   numbers = std::move(read);
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 /// Any number of apostrophes, then what begins a formula?
@@ -50,4 +50,4 @@ std::vector<std::string> splitTexts(std::string_view cell) {
   return texts;
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 // Texts in cells. The two functions of each pair are inverse to each other for every text.
 
@@ -18,4 +18,4 @@ namespace geargraph::inline document_format {
 /// The inverse; an empty cell gives no texts.
 [[nodiscard]] std::vector<std::string> splitTexts(std::string_view cell);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

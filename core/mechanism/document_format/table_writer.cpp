@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/csv_records.h"
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "core/mechanism/document_format/table_columns.h"
 #include "core/mechanism/document_format/table_text.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kColumns = kTableColumns.size();
@@ -25,9 +25,9 @@ ActionCells cellsOf(const decltype(Load::action)& action) {
   return {{}, force.link, {}, {}, force.force, force.point};
 }
 
-ActionCells cellsOf(const decltype(Balance::at)& at) {
+ActionCells cellsOf(const decltype(HoldingTorque::at)& at) {
   if (const auto* joint = std::get_if<JointId>(&at)) return {*joint, {}, {}, {}, {}, {}};
-  const auto& onLink = std::get<Balance::OnLink>(at);
+  const auto& onLink = std::get<HoldingTorque::OnLink>(at);
   return {{}, onLink.link, onLink.axis, {}, {}, {}};
 }
 
@@ -36,7 +36,7 @@ template <class Element>
 std::string_view rowWord(const Element& /*element*/) {
   return Description<Element>::name;
 }
-std::string_view rowWord(const Coupling& coupling) {
+std::string_view rowWord(const ShiftElement& coupling) {
   return couplingKindName(coupling.kind);
 }
 
@@ -192,4 +192,4 @@ TablePart tablePart(Mechanism mechanism) {
   return part;
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/element_reader.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 namespace {
 
 class ViewReader {
@@ -22,7 +22,7 @@ class ViewReader {
   }
 
  private:
-  void read(const MemberInfo& info, std::map<LinkId, SheetPoint>& nodes) {
+  void read(const MemberInfo& info, std::map<LinkId, CanvasPoint>& nodes) {
     const auto value = m_from.member(info.name);
     if (!value) return;
     if (!value->is(JsonKind::object))
@@ -61,14 +61,14 @@ class ViewReader {
     });
   }
 
-  void read(const MemberInfo& info, std::vector<SheetNote>& notes) {
+  void read(const MemberInfo& info, std::vector<CanvasNote>& notes) {
     const auto list = m_from.member(info.name);
     const std::string pointer = pointerTo(info);
     if (!list || m_diagnostics.covers(pointer)) return;  // too long: said already
     if (!list->is(JsonKind::array)) return m_from.wrong(info.name, *list, info.expected);
     list->forEachElement([&](JsonValue value, std::size_t position) {
       JsonObject from(m_diagnostics, value, pointer + pointerStep(position));
-      SheetNote& note = notes.emplace_back();
+      CanvasNote& note = notes.emplace_back();
       note.id = NoteId(from.requiredId("id"));
       if (!note.id.empty()) from.blame(note.id);
       readMembers(from, note);
@@ -98,4 +98,4 @@ View readView(JsonDiagnostics& diagnostics, const MemberInfo& info, JsonValue va
   return ViewReader(diagnostics, info, value).run();
 }
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include "core/mechanism/document_format/json_object.h"
 #include "core/mechanism/model/member_info.h"
 
-namespace geargraph::inline document_format {
+namespace geargraph {
 
 /// What the editor remembers of its drawings, from the member of the document that `info` describes.
 [[nodiscard]] View readView(JsonDiagnostics& diagnostics, const MemberInfo& info, JsonValue value);
 
-}  // namespace geargraph::inline document_format
+}  // namespace geargraph

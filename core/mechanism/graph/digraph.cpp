@@ -1,6 +1,6 @@
 #include "core/mechanism/graph/digraph.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 
 Digraph::Digraph(const Mechanism& mechanism)
     : m_nodeCount(static_cast<int>(mechanism.links.size())), m_turningCount(mechanism.t()) {
@@ -46,4 +46,4 @@ void Digraph::collectTurningEdges() {
   }
 }
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

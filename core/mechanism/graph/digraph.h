@@ -8,7 +8,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 
 /// A directed edge between two nodes, by their ordinals.
 struct DigraphEdge {
@@ -78,11 +78,11 @@ class Digraph {
   int m_turningCount = 0;
   ByLink<LinkId> m_nodes;
   std::vector<DigraphEdge> m_edges;  ///< turning edges first
-  std::vector<Atom> m_edgeIds;
+  std::vector<InternedString> m_edgeIds;
   std::vector<int> m_numbers;  ///< the axes by joint, starts(), and the turning edges node by node
   PositionIndex<LinkTag> m_nodeOf;
 };
 
 using DigraphPtr = std::shared_ptr<const Digraph>;
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 namespace {
 
 struct KindEntry {
@@ -64,4 +64,4 @@ PaperEquation matrixEquation(MatrixKind kind) {
   return entryOf(kind).equation;
 }
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/foundations/base/id.h"
 #include "core/mechanism/graph/paper_equation.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 
 enum class MatrixKind { incidence, reducedIncidence, path, spanningTree, cycleBasis, cutset };
 
@@ -75,4 +75,4 @@ class IntegerMatrix {
 
 using IntegerMatrixPtr = std::shared_ptr<const IntegerMatrix>;
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 namespace {
 
 Heading nodeHeading(const Digraph& graph, LinkOrdinal node) {
@@ -281,4 +281,4 @@ IntegerMatrixPtr matrixOf(MatrixKind kind, const DigraphPtr& graph, const Spanni
   }
 }
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

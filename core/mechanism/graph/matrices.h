@@ -4,7 +4,7 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 
 /// Incidence node-edge matrix Γ⁰ [AU, Eq. (1)].
 ///
@@ -53,4 +53,4 @@ namespace geargraph::inline graph {
 [[nodiscard]] IntegerMatrixPtr matrixOf(MatrixKind kind, const DigraphPtr& graph,
                                         const SpanningTreePtr& tree);
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace geargraph::inline graph {
+namespace geargraph {
 
 /// The numbered equations of the paper [AU]: the one place where their numbers stand. Report, matrices,
 /// lessons, the check of a user's own work and Python cite by it; tests/paper holds it against the equations
@@ -71,4 +71,4 @@ static_assert(static_cast<int>(PaperEquation::ttSolutionInGearRatios) == kPaperE
   return equation == PaperEquation::none ? std::string() : "(" + std::to_string(numberOf(equation)) + ")";
 }
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline graph {
+namespace geargraph {
 namespace {
 
 /// Where a tree keeps its parts, each by node or joint; all of them hold -1 so far.
@@ -100,4 +100,4 @@ std::vector<PathStep> treePath(const SpanningTree& tree, LinkOrdinal from, LinkO
   return path;
 }
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/mechanism/graph/digraph.h"
 
-namespace geargraph::inline graph {
+namespace geargraph {
 
 /// The spanning tree of the turning joints, rooted at the ground [AU, Fig. 2: the solid arrows].
 ///
@@ -102,4 +102,4 @@ struct PathStep {
 /// The walk from one node to another through the tree, in order. Cost: O(its length).
 [[nodiscard]] std::vector<PathStep> treePath(const SpanningTree& tree, LinkOrdinal from, LinkOrdinal to);
 
-}  // namespace geargraph::inline graph
+}  // namespace geargraph

@@ -1,8 +1,8 @@
 #include "core/mechanism/kinds/hand.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline kinds {
+namespace geargraph {
 
 std::string_view handName(Hand hand) {
   return hand == Hand::right ? "right" : "left";
@@ -19,4 +19,4 @@ std::optional<Hand> handFrom(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline kinds
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline kinds {
+namespace geargraph {
 
 /// The hand of a helix: a right-hand one, followed along its axis either way, turns like a common screw.
 /// Turning an axis round does not change it; a mirror does.
@@ -26,4 +26,4 @@ enum class Hand : std::uint8_t { right, left };
   return helix < 0 ? Hand::left : Hand::right;
 }
 
-}  // namespace geargraph::inline kinds
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline kinds {
+namespace geargraph {
 namespace {
 
 double sumOf(double tail, double head) {
@@ -174,4 +174,4 @@ int distanceTeeth(MeshKind kind, int tailTeeth, int headTeeth) {
   return form.sign * tailTeeth + form.rest;
 }
 
-}  // namespace geargraph::inline kinds
+}  // namespace geargraph

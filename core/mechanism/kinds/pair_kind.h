@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/kind_table.h"
 
-namespace geargraph::inline kinds {
+namespace geargraph {
 
 /// The kinds of gear pairs. Whatever differs between them is asked of the kind: of its PairKind, or of its
 /// facet in the table of a layer that adds something (core/README.md, Kinds). Nothing else compares kinds.
@@ -20,12 +20,12 @@ enum class MeshKind : std::uint8_t {
   pins,
 };
 
-}  // namespace geargraph::inline kinds
+}  // namespace geargraph
 
 template <>
 inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 5;
 
-namespace geargraph::inline kinds {
+namespace geargraph {
 
 /// The relative position of two lines.
 enum class LinePosition : std::uint8_t { parallel, intersecting, skew };
@@ -103,4 +103,4 @@ constexpr MeshKind kUsualKind = MeshKind::external;
 /// Teeth whose half is the centre distance in modules; 0 where no pair has such teeth.
 [[nodiscard]] int distanceTeeth(MeshKind kind, int tailTeeth, int headTeeth);
 
-}  // namespace geargraph::inline kinds
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Exchanges tail and head; the limits are reversed accordingly.
 inline void flip(TurningJoint& joint) {
@@ -28,4 +28,4 @@ inline void flipOnJoint(Load& load, const JointId& joint) {
   if (torque != nullptr && torque->joint == joint) torque->torque = Number(-torque->torque.exact());
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

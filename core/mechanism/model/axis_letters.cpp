@@ -9,13 +9,13 @@
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/load_edits.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// The axes in the order of the joints that use them first, those without joints last.
 std::vector<AxisId> axesInUse(const Mechanism& mechanism) {
   std::vector<AxisId> axes;
-  std::unordered_set<Atom> seen;
+  std::unordered_set<InternedString> seen;
   const auto add = [&](AxisId axis) {
     if (seen.insert(axis.atom()).second) axes.push_back(axis);
   };
@@ -29,7 +29,7 @@ std::vector<AxisId> runningLetters(std::size_t count) {
 }
 
 void rename(Mechanism& mechanism, const std::vector<AxisId>& from, const std::vector<AxisId>& to) {
-  std::unordered_map<Atom, AxisId> names;
+  std::unordered_map<InternedString, AxisId> names;
   for (std::size_t i = 0; i < from.size(); ++i) names.emplace(from[i].atom(), to[i]);
   for (Axis& axis : mechanism.axes) axis.id = names.at(axis.id.atom());
   for (TurningJoint& joint : mechanism.turningJoints) joint.axis = names.at(joint.axis.atom());
@@ -55,4 +55,4 @@ Expected<Mechanism> withAxisLettersAsBefore(const Mechanism& before, Expected<Me
   return next;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Are the axes named a, b, c, ... without gaps, in the order of the joints that use them first, as in the
 /// paper? Cost: O(t).
@@ -14,4 +14,4 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withAxisLettersAsBefore(const Mechanism& before,
                                                           Expected<Mechanism> edited);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 Expected<Mechanism> withAllFlipped(Mechanism mechanism, std::span<const ElementId> elements) {
   const std::unordered_set<ElementId> wanted(elements.begin(), elements.end());
@@ -25,4 +25,4 @@ Expected<Mechanism> withAllFlipped(Mechanism mechanism, std::span<const ElementI
   return mechanism;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

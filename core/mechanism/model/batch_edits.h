@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Edits of many elements at once, in one pass: one edit after the other would search the mechanism for each.
 
@@ -14,4 +14,4 @@ namespace geargraph::inline model {
 /// Cost: O(elements + joints + meshes).
 [[nodiscard]] Expected<Mechanism> withAllFlipped(Mechanism mechanism, std::span<const ElementId> elements);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

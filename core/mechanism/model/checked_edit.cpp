@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/limits.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 Expected<Mechanism> checkedEdit(Mechanism mechanism, std::string_view pointer,
                                 Diagnostics (*checks)(const Mechanism&)) {
@@ -20,4 +20,4 @@ Expected<Mechanism> checkedEdit(Mechanism mechanism, std::string_view pointer,
   return mechanism;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,11 +6,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 template <class Element>
@@ -65,7 +65,7 @@ bool hasOtherChanges(const Mechanism& before, const Mechanism& after) {
   }) || !allFields<View>([&]<class Each>(const Each& field) {
     using Value = typename Each::Value;
     constexpr bool isPlaces =
-        std::is_same_v<Value, std::map<LinkId, SheetPoint>> || std::is_same_v<Value, std::map<LinkId, int>>;
+        std::is_same_v<Value, std::map<LinkId, CanvasPoint>> || std::is_same_v<Value, std::map<LinkId, int>>;
     return isPlaces || before.view.*field.member == after.view.*field.member;
   });
 }
@@ -151,4 +151,4 @@ std::string differenceText(const Difference& difference) {
   return text;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

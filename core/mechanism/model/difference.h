@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The differences between two versions of one document, counted by id.
 struct Difference {
@@ -47,4 +47,4 @@ struct Difference {
 /// "nothing".
 [[nodiscard]] std::string differenceText(const Difference& difference);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/mechanism/model/axis_letters.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 constexpr int kTeeth = 20;  ///< of a wheel that nothing is known of
@@ -93,18 +93,18 @@ Expected<Mechanism> withAxesGuessed(Mechanism mechanism, LinkId tail, LinkId hea
 }
 
 /// The carrier of two gears and the axes on which they sit on it.
-struct Seat {
+struct CarrierAxes {
   LinkId carrier;
   AxisId tailAxis;
   AxisId headAxis;
 };
 
-std::optional<Seat> seatOf(const Mechanism& mechanism, LinkId tail, LinkId head) {
+std::optional<CarrierAxes> seatOf(const Mechanism& mechanism, LinkId tail, LinkId head) {
   const std::vector<Step> path = pathBetween(mechanism, tail, head);
   if (changesOfAxis(path) != 1) return std::nullopt;
   const auto change = std::adjacent_find(
       path.begin(), path.end(), [](const Step& a, const Step& b) { return a.joint->axis != b.joint->axis; });
-  return Seat{change->to, path.front().joint->axis, path.back().joint->axis};
+  return CarrierAxes{change->to, path.front().joint->axis, path.back().joint->axis};
 }
 
 /// A mesh that is there already, under the same carrier, seen from one of its gears.
@@ -192,4 +192,4 @@ Expected<Mechanism> withDrawnMesh(Mechanism mechanism, LinkId tail, LinkId head)
   return withMeshKind(std::move(drawn).value(), mesh, guess.kind);
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

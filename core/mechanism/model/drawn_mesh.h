@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Adds a gear mesh drawn between two links, and guesses what the drawing leaves open so that the train is
 /// valid at once. A guess never changes what the document states: placed axes stay.
@@ -20,4 +20,4 @@ namespace geargraph::inline model {
 /// Rejects as withGearMesh(). Cost: O(n + t + c).
 [[nodiscard]] Expected<Mechanism> withDrawnMesh(Mechanism mechanism, LinkId tail, LinkId head);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,8 +6,8 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/position_index.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/limits.h"
@@ -15,7 +15,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxNamedInALoop = 8;
@@ -41,7 +41,7 @@ Element* findIn(std::vector<Element>& list, ElementIdType id) {
 
 /// Loads and balances go with the joint, the link or the axis that they name.
 void dropLoads(Mechanism& mechanism, const std::unordered_set<ElementId>& gone) {
-  std::unordered_set<Atom> joints;
+  std::unordered_set<InternedString> joints;
   for (const TurningJoint& joint : mechanism.turningJoints) joints.insert(joint.id.atom());
   const auto goesWith = [&](LinkId link, const std::optional<AxisId>& axis) {
     return gone.contains(link) || (axis && gone.contains(*axis));
@@ -55,9 +55,9 @@ void dropLoads(Mechanism& mechanism, const std::unordered_set<ElementId>& gone) 
     return gone.contains(std::get<LinkForce>(load.action).link);
   });
   if (!mechanism.balances) return;
-  std::erase_if(*mechanism.balances, [&](const Balance& balance) {
+  std::erase_if(*mechanism.balances, [&](const HoldingTorque& balance) {
     if (const auto* joint = std::get_if<JointId>(&balance.at)) return !joints.contains(joint->atom());
-    const auto& onLink = std::get<Balance::OnLink>(balance.at);
+    const auto& onLink = std::get<HoldingTorque::OnLink>(balance.at);
     return goesWith(onLink.link, onLink.axis);
   });
   if (mechanism.balances->empty()) mechanism.balances.reset();
@@ -67,10 +67,11 @@ bool bearsLoad(const Mechanism& mechanism, LinkId link) {
   const bool loaded = std::any_of(mechanism.loads.begin(), mechanism.loads.end(),
                                   [&](const Load& load) { return linkOf(load) == link; });
   if (loaded || !mechanism.balances) return loaded;
-  return std::any_of(mechanism.balances->begin(), mechanism.balances->end(), [&](const Balance& balance) {
-    const auto* onLink = std::get_if<Balance::OnLink>(&balance.at);
-    return onLink != nullptr && onLink->link == link;
-  });
+  return std::any_of(mechanism.balances->begin(), mechanism.balances->end(),
+                     [&](const HoldingTorque& balance) {
+                       const auto* onLink = std::get_if<HoldingTorque::OnLink>(&balance.at);
+                       return onLink != nullptr && onLink->link == link;
+                     });
 }
 
 void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
@@ -83,8 +84,8 @@ void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
                 [&](const Axis& axis) { return candidates.contains(axis.id) && !used.contains(axis.id); });
 }
 
-Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, SheetPoint> View::*drawing,
-                               std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, CanvasPoint> View::*drawing,
+                               std::span<const std::pair<LinkId, CanvasPoint>> nodes) {
   const PositionIndex<LinkTag> links(mechanism.links);
   for (const auto& [link, point] : nodes) {
     if (links.positionOf(link) < 0) return unknown(link);
@@ -137,7 +138,7 @@ Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
 
 }  // namespace
 
-Expected<Mechanism> withLink(Mechanism mechanism, SheetPoint at, std::string name) {
+Expected<Mechanism> withLink(Mechanism mechanism, CanvasPoint at, std::string name) {
   const LinkColors colors(mechanism);
   const LinkId id(freshId(mechanism));
   mechanism.links.push_back({id, std::move(name)});
@@ -180,7 +181,7 @@ Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, 
 }
 
 Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
-                                     std::optional<SheetPoint> at) {
+                                     std::optional<CanvasPoint> at) {
   if (mechanism.find(gear) == nullptr) return unknown(gear);
   const LinkColors colors(mechanism);
   const LinkId link(freshId(mechanism));
@@ -227,14 +228,14 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
     std::erase_if(*nodes, [&](const auto& node) { return linkGone(node.first); });
   std::erase_if(mechanism.view.colors, [&](const auto& color) { return linkGone(color.first); });
   colors.keepIn(mechanism);
-  std::erase_if(mechanism.view.notes, [&](const SheetNote& note) { return gone.contains(note.id); });
+  std::erase_if(mechanism.view.notes, [&](const CanvasNote& note) { return gone.contains(note.id); });
 
-  std::erase_if(mechanism.couplings, [&](const Coupling& coupling) {
+  std::erase_if(mechanism.couplings, [&](const ShiftElement& coupling) {
     return gone.contains(coupling.id) || std::any_of(coupling.links.begin(), coupling.links.end(), linkGone);
   });
-  std::unordered_set<Atom> couplings;
-  for (const Coupling& coupling : mechanism.couplings) couplings.insert(coupling.id.atom());
-  const auto couplingGone = [&](CouplingId id) { return !couplings.contains(id.atom()); };
+  std::unordered_set<InternedString> couplings;
+  for (const ShiftElement& coupling : mechanism.couplings) couplings.insert(coupling.id.atom());
+  const auto couplingGone = [&](ShiftElementId id) { return !couplings.contains(id.atom()); };
   std::erase_if(mechanism.engaged, couplingGone);
   for (ShiftState& state : mechanism.states) {
     std::erase_if(state.engaged, couplingGone);
@@ -242,7 +243,7 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
     if (state.driven && linkGone(*state.driven)) state.driven.reset();
   }
   if (mechanism.inputs) {
-    std::unordered_set<Atom> joints;
+    std::unordered_set<InternedString> joints;
     for (const TurningJoint& joint : mechanism.turningJoints) joints.insert(joint.id.atom());
     std::erase_if(*mechanism.inputs,
                   [&](const Input& input) { return !joints.contains(input.joint.atom()); });
@@ -300,12 +301,12 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
 }
 
 Expected<Mechanism> withNodesMoved(Mechanism mechanism,
-                                   std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+                                   std::span<const std::pair<LinkId, CanvasPoint>> nodes) {
   return withPlaces(std::move(mechanism), &View::nodes, nodes);
 }
 
 Expected<Mechanism> withTtNodesMoved(Mechanism mechanism,
-                                     std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+                                     std::span<const std::pair<LinkId, CanvasPoint>> nodes) {
   return withPlaces(std::move(mechanism), &View::ttNodes, nodes);
 }
 
@@ -443,4 +444,4 @@ Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
   return mechanism;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

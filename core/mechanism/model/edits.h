@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Edits are pure functions: they take the document by value and return the next one, or an error. A rejected
 // edit (self-joint, unknown id, ...) changes nothing, because the caller still has the old value. Ids of new
@@ -14,7 +14,7 @@ namespace geargraph::inline model {
 // cannot be confused; the new element is the last of its list.
 
 /// A new link at a place in the digraph's drawing, not connected yet.
-[[nodiscard]] Expected<Mechanism> withLink(Mechanism mechanism, SheetPoint at, std::string name = {});
+[[nodiscard]] Expected<Mechanism> withLink(Mechanism mechanism, CanvasPoint at, std::string name = {});
 
 /// A turning joint from `tail` to `head` on an axis. An empty `axis` makes a new one, not placed yet.
 /// Rejects self-joint, unknown-id, and turning-loop: a joint that would close a loop of turning joints.
@@ -28,7 +28,7 @@ namespace geargraph::inline model {
 /// A new link with a gear that meshes with one on `gear`: the new link turns on `carrier` about a new axis.
 /// The link, its joint and the mesh are the last of their lists. Rejects self-joint, unknown-id.
 [[nodiscard]] Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
-                                                   std::optional<SheetPoint> at);
+                                                   std::optional<CanvasPoint> at);
 
 /// Removes these elements and all that depends on them: with a link its joints, meshes, wheels, couplings and
 /// loads, with a joint its input and its loads; unused axes too. Rejects removing the ground.
@@ -42,11 +42,11 @@ namespace geargraph::inline model {
                                            const std::string& name);
 
 [[nodiscard]] Expected<Mechanism> withNodesMoved(Mechanism mechanism,
-                                                 std::span<const std::pair<LinkId, SheetPoint>> nodes);
+                                                 std::span<const std::pair<LinkId, CanvasPoint>> nodes);
 
 /// The same in the T-T graph, whose nodes are laid out automatically until they are dragged.
 [[nodiscard]] Expected<Mechanism> withTtNodesMoved(Mechanism mechanism,
-                                                   std::span<const std::pair<LinkId, SheetPoint>> nodes);
+                                                   std::span<const std::pair<LinkId, CanvasPoint>> nodes);
 
 /// Sets the tooth counts and nothing else; withTeethFitted() (fitting) keeps the geometry consistent. Rejects
 /// unknown-id, schema.
@@ -85,4 +85,4 @@ namespace geargraph::inline model {
 /// loads act on it.
 [[nodiscard]] Expected<Mechanism> withGround(Mechanism mechanism, LinkId link);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

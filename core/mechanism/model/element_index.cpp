@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 template <class Element>
@@ -35,7 +35,7 @@ bool ElementIndex::contains(const ElementId& element) const {
     case ElementKind::wheel:
       return m_wheels.positionOf(WheelId(element.id)) >= 0;
     case ElementKind::coupling:
-      return m_couplings.positionOf(CouplingId(element.id)) >= 0;
+      return m_couplings.positionOf(ShiftElementId(element.id)) >= 0;
     case ElementKind::state:
       return std::any_of(m_mechanism->states.begin(), m_mechanism->states.end(),
                          [&](const ShiftState& state) { return state.name == element.id.text(); });
@@ -75,4 +75,4 @@ std::optional<std::string> ElementIndex::labelOf(const ElementId& element) const
   }
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The elements of one mechanism by id, for callers that look up many of them: Mechanism::find and labelOf()
 /// search a list each time, so looking up all elements that way is quadratic in the size of the document.
@@ -35,4 +35,4 @@ class ElementIndex {
   PositionIndex<CouplingTag> m_couplings;
 };
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

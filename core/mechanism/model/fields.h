@@ -6,11 +6,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/model/member_info.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Every member of a document is described here, once: reader and writer of documents, tables and graphs,
 // limits, patches, differences, fragments, requests of `serve`, the Python classes, the JSON Schema and the
@@ -428,15 +428,15 @@ struct Description<Input> {
 };
 
 template <>
-struct Description<Coupling> {
+struct Description<ShiftElement> {
   static constexpr DocumentPart part = DocumentPart::coupling;
   static constexpr std::string_view name = "coupling";
   static constexpr auto fields = std::make_tuple(
-      field(&Coupling::id, {.name = "id",
-                            .value = MemberValue::id,
-                            .meaning = "unique among the couplings",
-                            .isNeeded = true}),
-      field(&Coupling::links,
+      field(&ShiftElement::id, {.name = "id",
+                                .value = MemberValue::id,
+                                .meaning = "unique among the couplings",
+                                .isNeeded = true}),
+      field(&ShiftElement::links,
             {{.name = "kind",
               .value = MemberValue::couplingKind,
               .meaning = "engaged, a brake holds a link against the ground, a clutch makes two links turn as "
@@ -529,44 +529,44 @@ struct Description<Load> {
 };
 
 template <>
-struct Description<Balance> {
+struct Description<HoldingTorque> {
   static constexpr DocumentPart part = DocumentPart::balance;
   static constexpr std::string_view name = "balance";
   static constexpr auto fields = std::make_tuple(
-      field(&Balance::at, {{.name = "joint",
-                            .value = MemberValue::reference,
-                            .meaning = "the turning joint in which the torque to be found acts",
-                            .target = ElementKind::turningJoint},
-                           {.name = "link",
-                            .value = MemberValue::reference,
-                            .meaning = "or the link on which it acts from outside; not the ground",
-                            .target = ElementKind::link},
-                           {.name = "axis",
-                            .value = MemberValue::reference,
-                            .meaning = "the axis about whose direction it acts on a link",
-                            .fallback = "the link's first one on the way to the ground",
-                            .target = ElementKind::axis}}));
+      field(&HoldingTorque::at, {{.name = "joint",
+                                  .value = MemberValue::reference,
+                                  .meaning = "the turning joint in which the torque to be found acts",
+                                  .target = ElementKind::turningJoint},
+                                 {.name = "link",
+                                  .value = MemberValue::reference,
+                                  .meaning = "or the link on which it acts from outside; not the ground",
+                                  .target = ElementKind::link},
+                                 {.name = "axis",
+                                  .value = MemberValue::reference,
+                                  .meaning = "the axis about whose direction it acts on a link",
+                                  .fallback = "the link's first one on the way to the ground",
+                                  .target = ElementKind::axis}}));
 };
 
 template <>
-struct Description<SheetNote> {
+struct Description<CanvasNote> {
   static constexpr DocumentPart part = DocumentPart::note;
   static constexpr std::string_view name = "note";
   static constexpr auto fields = std::make_tuple(
-      field(&SheetNote::id,
+      field(&CanvasNote::id,
             {.name = "id", .value = MemberValue::id, .meaning = "unique among the notes", .isNeeded = true}),
-      field(&SheetNote::text,
+      field(&CanvasNote::text,
             {.name = "text",
              .value = MemberValue::text,
              .meaning = "1 to 1,000 characters, not blank, no control characters but line ends",
              .isNeeded = true,
              .expected = toTranslate("the text of the note")}),
-      field(&SheetNote::at, {.name = "at",
-                             .value = MemberValue::place,
-                             .meaning = "its middle",
-                             .isNeeded = true,
-                             .measure = Measure::coordinate,
-                             .expected = toTranslate("the middle of the note")}));
+      field(&CanvasNote::at, {.name = "at",
+                              .value = MemberValue::place,
+                              .meaning = "its middle",
+                              .isNeeded = true,
+                              .measure = Measure::coordinate,
+                              .expected = toTranslate("the middle of the note")}));
 };
 
 template <>
@@ -785,8 +785,8 @@ concept Described = requires {
 
 /// Every described class, in the order of DocumentPart.
 using DescribedClasses =
-    std::tuple<Mechanism, Link, LinkShape, Axis, TurningJoint, GearMesh, Wheel, GearDefaults, Input, Coupling,
-               ShiftState, Load, Balance, View, SheetNote, ViewCamera>;
+    std::tuple<Mechanism, Link, LinkShape, Axis, TurningJoint, GearMesh, Wheel, GearDefaults, Input,
+               ShiftElement, ShiftState, Load, HoldingTorque, View, CanvasNote, ViewCamera>;
 
 template <class Value>
 struct ElementOfList;
@@ -845,4 +845,4 @@ constexpr auto listedOrder() {
   return order;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

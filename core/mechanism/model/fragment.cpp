@@ -6,19 +6,19 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/fields.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/notes.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 constexpr double kStep = 30;   // px that a copy is moved right and down
 constexpr double kOnTop = 12;  // px: nodes nearer than this hide each other
-constexpr int kMaxSteps = 200;
+constexpr int kMaxFragmentSteps = 200;
 
 /// The links that come along.
 std::unordered_set<LinkId> linksOf(const Mechanism& mechanism, const std::set<ElementId>& selected) {
@@ -67,7 +67,7 @@ class Renamer {
   [[nodiscard]] MeshId operator()(MeshId id) const { return m_meshes.at(id); }
   [[nodiscard]] AxisId operator()(AxisId id) const { return m_axes.at(id); }
   [[nodiscard]] WheelId operator()(WheelId id) const { return m_wheels.at(id); }
-  [[nodiscard]] CouplingId operator()(CouplingId id) const { return m_couplings.at(id); }
+  [[nodiscard]] ShiftElementId operator()(ShiftElementId id) const { return m_couplings.at(id); }
 
  private:
   /// Ids of one's own keep their word: "brake" becomes "brake-2".
@@ -91,7 +91,7 @@ class Renamer {
   std::unordered_map<MeshId, MeshId> m_meshes;
   std::unordered_map<AxisId, AxisId> m_axes;
   std::unordered_map<WheelId, WheelId> m_wheels;
-  std::unordered_map<CouplingId, CouplingId> m_couplings;
+  std::unordered_map<ShiftElementId, ShiftElementId> m_couplings;
 };
 
 /// How far the pasted nodes and notes have to go so that none lies on one that is there.
@@ -101,19 +101,19 @@ double shiftFor(const View& there, const Mechanism& fragment) {
     return std::pair(std::lround(x / kOnTop), std::lround(y / kOnTop));
   };
   for (const auto& [link, point] : there.nodes) taken.insert(cell(point.x, point.y));
-  for (const SheetNote& note : there.notes) taken.insert(cell(note.at.x, note.at.y));
+  for (const CanvasNote& note : there.notes) taken.insert(cell(note.at.x, note.at.y));
   const LinkId ground = fragment.links.front().id;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 0; step < kMaxFragmentSteps; ++step) {
     const double shift = step * kStep;
-    const auto isTaken = [&](SheetPoint at) { return taken.contains(cell(at.x + shift, at.y + shift)); };
+    const auto isTaken = [&](CanvasPoint at) { return taken.contains(cell(at.x + shift, at.y + shift)); };
     const bool hides =
         std::any_of(fragment.view.nodes.begin(), fragment.view.nodes.end(),
                     [&](const auto& node) { return node.first != ground && isTaken(node.second); }) ||
         std::any_of(fragment.view.notes.begin(), fragment.view.notes.end(),
-                    [&](const SheetNote& note) { return isTaken(note.at); });
+                    [&](const CanvasNote& note) { return isTaken(note.at); });
     if (!hides) return shift;
   }
-  return kMaxSteps * kStep;
+  return kMaxFragmentSteps * kStep;
 }
 
 /// Puts the new ids into what an element refers to.
@@ -164,7 +164,7 @@ void addArrows(Mechanism& mechanism, const Mechanism& fragment, const Renamer& r
 
 /// The loads whose joint or link is pasted, under the pasted ids; their own ids stay where they are free.
 void addLoads(Mechanism& mechanism, const Mechanism& fragment, const Renamer& renamed) {
-  std::unordered_set<Atom> taken;
+  std::unordered_set<InternedString> taken;
   for (const Load& load : mechanism.loads) taken.insert(load.id.atom());
   for (const Load& original : fragment.loads) {
     Load load = renamedElement(original, renamed);
@@ -183,10 +183,10 @@ bool comesAlong(const Load& load, const std::unordered_set<LinkId>& links,
   return links.contains(*linkOf(load));
 }
 
-void addNotes(std::vector<SheetNote>& into, const std::vector<SheetNote>& from,
+void addNotes(std::vector<CanvasNote>& into, const std::vector<CanvasNote>& from,
               const std::vector<NoteId>& ids, double shift) {
   for (std::size_t i = 0; i < from.size(); ++i) {
-    SheetNote note = from[i];
+    CanvasNote note = from[i];
     note.id = ids[i];
     note.at = {note.at.x + shift, note.at.y + shift};
     into.push_back(std::move(note));
@@ -215,7 +215,7 @@ Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& sele
   }
   fragment.axes = kept(mechanism.axes, [&](const Axis& axis) { return axes.contains(axis.id); });
   fragment.wheels = kept(mechanism.wheels, [&](const Wheel& wheel) { return has(wheel.link); });
-  fragment.couplings = kept(mechanism.couplings, [&](const Coupling& coupling) {
+  fragment.couplings = kept(mechanism.couplings, [&](const ShiftElement& coupling) {
     return std::all_of(coupling.links.begin(), coupling.links.end(), has);
   });
   if (mechanism.inputs) {
@@ -229,7 +229,7 @@ Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& sele
     if (has(link)) fragment.view.nodes.emplace(link, point);
   }
   fragment.view.notes =
-      kept(mechanism.view.notes, [&](const SheetNote& note) { return selected.contains(note.id); });
+      kept(mechanism.view.notes, [&](const CanvasNote& note) { return selected.contains(note.id); });
   return fragment;
 }
 
@@ -270,7 +270,7 @@ std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& afte
     for (const Link& link : mechanism.links) use(ElementId(link.id));
     for (const TurningJoint& joint : mechanism.turningJoints) use(ElementId(joint.id));
     for (const GearMesh& mesh : mechanism.gearMeshes) use(ElementId(mesh.id));
-    for (const SheetNote& note : mechanism.view.notes) use(ElementId(note.id));
+    for (const CanvasNote& note : mechanism.view.notes) use(ElementId(note.id));
   };
   each(before, [&](const ElementId& element) { known.insert(element); });
   std::set<ElementId> added;
@@ -280,4 +280,4 @@ std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& afte
   return added;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The part of a mechanism that Copy takes: the selected links and the ends of the selected joints and
 /// meshes, all joints and meshes between them, with their axes, wheels, inputs, couplings and loads. It is a
@@ -26,4 +26,4 @@ namespace geargraph::inline model {
 /// The elements of `after` that are not in `before`: what is selected after a paste. Cost: O(n + t + c).
 [[nodiscard]] std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& after);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <unordered_set>
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 namespace {
 
@@ -41,7 +41,7 @@ std::string freshId(const Mechanism& mechanism) {
 }
 
 std::vector<AxisId> freshAxisIds(const Mechanism& mechanism, int count) {
-  std::unordered_set<Atom> taken;
+  std::unordered_set<InternedString> taken;
   for (const Axis& axis : mechanism.axes) taken.insert(axis.id.atom());
   std::vector<AxisId> fresh;
   for (int round = 0; static_cast<int>(fresh.size()) < count; ++round) {
@@ -53,4 +53,4 @@ std::vector<AxisId> freshAxisIds(const Mechanism& mechanism, int count) {
   return fresh;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// `count` texts: the smallest whole numbers that no link, turning joint or mesh has as its id, so that the
 /// three kinds cannot be confused. Cost: O(n + t + c + count).
@@ -16,4 +16,4 @@ namespace geargraph::inline model {
 /// letters.
 [[nodiscard]] std::vector<AxisId> freshAxisIds(const Mechanism& mechanism, int count);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/quantity.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 struct Unit {
@@ -56,4 +56,4 @@ std::optional<Number> lengthFromText(std::string_view text, std::string_view uni
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

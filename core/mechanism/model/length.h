@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/number.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Parses a typed length and converts it to `unit` exactly: "12", "22/7", "2*3" (in `unit`), or with a unit:
 /// "1 in", "2.5cm", "1/2\"", "(1+1/2) in" (typedNumber()). Units: nm, um (µm), mm, cm, dm, m, mil, in ("), ft
@@ -13,4 +13,4 @@ namespace geargraph::inline model {
 /// unit that is not listed.
 [[nodiscard]] std::optional<Number> lengthFromText(std::string_view text, std::string_view unit);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/fields.h"
 #include "core/mechanism/model/notes.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// Characters of a text in UTF-8.
@@ -65,7 +65,7 @@ void checkList(const Value& value, const MemberInfo& info, Diagnostics& diagnost
     checkIds(value, info.name, diagnostics);
   }
 }
-void checkList(const std::vector<CouplingId>& value, const MemberInfo& info, Diagnostics& diagnostics) {
+void checkList(const std::vector<ShiftElementId>& value, const MemberInfo& info, Diagnostics& diagnostics) {
   checkLength(value.size(), info.name, diagnostics);
 }
 template <class Value>
@@ -259,7 +259,7 @@ class RangeCheck {
     object(view, element, at / field.info().name);
   }
   template <class Member>
-  void value(const std::map<LinkId, SheetPoint>& nodes, const Member& field, const Element& /*none*/,
+  void value(const std::map<LinkId, CanvasPoint>& nodes, const Member& field, const Element& /*none*/,
              const JsonPointer& at) {
     const JsonPointer all = at / field.info().name;
     for (const auto& [link, place] : nodes) {
@@ -317,4 +317,4 @@ Expected<Mechanism> checkedLimits(Mechanism mechanism) {
   return beyond;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

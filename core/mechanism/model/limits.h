@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 constexpr std::size_t kMaxNameLength = 1'000;    ///< characters of a name, a unit or an id
 constexpr std::size_t kMaxListLength = 100'000;  ///< elements of a list
@@ -25,4 +25,4 @@ constexpr std::int64_t kLargestLength = 1'000'000'000'000'000;
 /// The mechanism, or what limitDiagnostics() finds, without JSON pointers, because there is no file.
 [[nodiscard]] Expected<Mechanism> checkedLimits(Mechanism mechanism);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

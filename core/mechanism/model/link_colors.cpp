@@ -2,7 +2,7 @@
 
 #include <unordered_set>
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 LinkColors::LinkColors(const Mechanism& before) {
   m_numbers.reserve(before.links.size());
@@ -36,4 +36,4 @@ void LinkColors::keepIn(Mechanism& after) const {
   }
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

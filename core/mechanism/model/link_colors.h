@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The colours of the links before an edit, so that they stay with their links however labels move.
 class LinkColors {
@@ -19,4 +19,4 @@ class LinkColors {
   std::unordered_map<LinkId, int> m_numbers;  ///< of moving links
 };
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

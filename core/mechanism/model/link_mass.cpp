@@ -1,8 +1,8 @@
 #include "core/mechanism/model/link_mass.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// All principal minors of the second moments are at least 0.
@@ -37,4 +37,4 @@ std::optional<MassProblem> massProblem(const LinkMass& mass) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

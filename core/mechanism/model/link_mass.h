@@ -6,7 +6,7 @@
 
 #include "core/mechanism/model/number.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Moments and products of inertia: xx, yy, zz, xy, xz, yz. The products are those of the matrix: xy is
 /// minus the sum of m x y.
@@ -34,4 +34,4 @@ struct MassProblem {
 /// principal moments. Decided in fractions. std::nullopt if the mass is valid. Cost: O(1).
 [[nodiscard]] std::optional<MassProblem> massProblem(const LinkMass& mass);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/foundations/base/id.h"
 #include "core/mechanism/model/number.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They
 /// are kept and written back, so that a newer or foreign program's data survives an edit here.
@@ -52,7 +52,7 @@ struct Load {
 
 /// An unknown torque that holds the loads: in a joint, tail on head, or on a link about the direction of an
 /// axis (without it: the link's first axis on the way to the ground).
-struct Balance {
+struct HoldingTorque {
   struct OnLink {
     LinkId link;
     std::optional<AxisId> axis;
@@ -60,7 +60,7 @@ struct Balance {
   };
   std::variant<JointId, OnLink> at;
   UnknownMembers unknown = {};
-  friend bool operator==(const Balance&, const Balance&) = default;
+  friend bool operator==(const HoldingTorque&, const HoldingTorque&) = default;
 };
 
 /// How the load of members that statics alone does not share out is distributed.
@@ -72,4 +72,4 @@ enum class LoadSharing {
 /// std::nullopt for another name.
 [[nodiscard]] std::optional<LoadSharing> loadSharingFrom(std::string_view name);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <set>
 #include <unordered_set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 class LoadCheck {
@@ -25,7 +25,7 @@ class LoadCheck {
   }
 
  private:
-  using Known = std::unordered_set<Atom>;
+  using Known = std::unordered_set<InternedString>;
 
   void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer) {
     m_diagnostics.push_back({code, std::move(message), std::move(elements), std::move(pointer), 0, 0});
@@ -95,7 +95,7 @@ class LoadCheck {
               at + "/joint");
         continue;
       }
-      const auto& onLink = std::get<Balance::OnLink>(place);
+      const auto& onLink = std::get<HoldingTorque::OnLink>(place);
       link("balances", onLink.link, at + "/link");
       if (onLink.axis) reference("balances", *onLink.axis, m_axes, at + "/axis");
       if (!links.insert({onLink.link, onLink.axis.value_or(AxisId())}).second)
@@ -130,4 +130,4 @@ std::optional<LossProblem> lossProblem(const std::optional<Number>& efficiency,
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

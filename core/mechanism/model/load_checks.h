@@ -3,7 +3,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// What wellFormedDiagnostics() finds about loads, balances, efficiencies and coefficients of friction:
 /// unknown-id; duplicate-id for two loads with one id, or two balances at one place; schema for a load or
@@ -20,4 +20,4 @@ struct LossProblem {
 [[nodiscard]] std::optional<LossProblem> lossProblem(const std::optional<Number>& efficiency,
                                                      const std::optional<Number>& friction);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

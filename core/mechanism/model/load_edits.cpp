@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/checked_edit.h"
 #include "core/mechanism/model/load_checks.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 LoadId freshLoadId(const Mechanism& mechanism) {
@@ -43,7 +43,7 @@ Expected<Mechanism> withoutLoad(Mechanism mechanism, int load) {
   return mechanism;
 }
 
-Expected<Mechanism> withBalances(Mechanism mechanism, std::optional<std::vector<Balance>> balances) {
+Expected<Mechanism> withBalances(Mechanism mechanism, std::optional<std::vector<HoldingTorque>> balances) {
   mechanism.balances = std::move(balances);
   return checkedEdit(std::move(mechanism), "/balances", &loadDiagnostics);
 }
@@ -101,4 +101,4 @@ std::optional<JointId> jointOf(const Load& load) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

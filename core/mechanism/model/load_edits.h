@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Edits of loads, balances and losses: pure functions, as in edits.h. withoutElements() also removes loads,
 // by themselves or with their joint or link.
@@ -25,7 +25,7 @@ namespace geargraph::inline model {
 /// Sets where torques hold the loads; none leaves the choice to the program. Rejects unknown-id,
 /// duplicate-id, and schema for one on the ground.
 [[nodiscard]] Expected<Mechanism> withBalances(Mechanism mechanism,
-                                               std::optional<std::vector<Balance>> balances);
+                                               std::optional<std::vector<HoldingTorque>> balances);
 
 /// Sets how loads are shared that statics does not share out; none leaves it open, but for losses.
 [[nodiscard]] Mechanism withSharing(Mechanism mechanism, std::optional<LoadSharing> sharing);
@@ -53,9 +53,9 @@ void forEachLoadAxis(Mechanism& mechanism, const Use& use) {
     if (auto* torque = std::get_if<LinkTorque>(&load.action)) use(torque->axis);
   }
   if (!mechanism.balances) return;
-  for (Balance& balance : *mechanism.balances) {
-    if (auto* onLink = std::get_if<Balance::OnLink>(&balance.at)) use(onLink->axis);
+  for (HoldingTorque& balance : *mechanism.balances) {
+    if (auto* onLink = std::get_if<HoldingTorque::OnLink>(&balance.at)) use(onLink->axis);
   }
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

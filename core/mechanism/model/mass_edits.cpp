@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/checked_edit.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link, std::optional<LinkMass> mass) {
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
@@ -49,4 +49,4 @@ Diagnostics massDiagnostics(const Mechanism& mechanism) {
   return diagnostics;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

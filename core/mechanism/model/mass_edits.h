@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Edits of mass, density and gravity, for dynamics: pure functions, as in edits.h.
 
@@ -22,4 +22,4 @@ namespace geargraph::inline model {
 /// What wellFormedDiagnostics() finds about masses, density and gravity: schema. Cost: O(n).
 [[nodiscard]] Diagnostics massDiagnostics(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

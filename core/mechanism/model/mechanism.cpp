@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 template <class Element, class ElementIdType>
@@ -19,7 +19,7 @@ const Element* findIn(const std::vector<Element>& list, ElementIdType id) {
 }
 
 template <class Element>
-std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
+std::optional<int> positionIn(const std::vector<Element>& list, InternedString id) {
   const auto found =
       std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id.atom() == id; });
   if (found == list.end()) return std::nullopt;
@@ -64,25 +64,25 @@ void settleWeights(GearMesh& mesh) {
   if (const auto weights = weightsWithoutTeeth(mesh)) std::tie(mesh.tailTeeth, mesh.headTeeth) = *weights;
 }
 
-std::string_view couplingKindName(CouplingKind kind) {
+std::string_view couplingKindName(ShiftElementKind kind) {
   switch (kind) {
-    case CouplingKind::brake:
+    case ShiftElementKind::brake:
       return "brake";
-    case CouplingKind::clutch:
+    case ShiftElementKind::clutch:
       return "clutch";
-    case CouplingKind::freewheel:
+    case ShiftElementKind::freewheel:
       return "freewheel";
   }
   GEARGRAPH_REQUIRE(false);
 }
 
-std::string couplingName(CouplingKind kind, std::string_view id) {
+std::string couplingName(ShiftElementKind kind, std::string_view id) {
   switch (kind) {
-    case CouplingKind::brake:
+    case ShiftElementKind::brake:
       return translated("brake %1", {std::string(id)});
-    case CouplingKind::clutch:
+    case ShiftElementKind::clutch:
       return translated("clutch %1", {std::string(id)});
-    case CouplingKind::freewheel:
+    case ShiftElementKind::freewheel:
       return translated("freewheel %1", {std::string(id)});
   }
   GEARGRAPH_REQUIRE(false);
@@ -119,10 +119,10 @@ const GearMesh* Mechanism::find(MeshId id) const {
 const Wheel* Mechanism::find(WheelId id) const {
   return findIn(wheels, id);
 }
-const Coupling* Mechanism::find(CouplingId id) const {
+const ShiftElement* Mechanism::find(ShiftElementId id) const {
   return findIn(couplings, id);
 }
-const SheetNote* Mechanism::find(NoteId id) const {
+const CanvasNote* Mechanism::find(NoteId id) const {
   return findIn(view.notes, id);
 }
 
@@ -161,4 +161,4 @@ std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& 
   return std::to_string(*position);
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -18,7 +18,7 @@
 #include "core/mechanism/model/load.h"
 #include "core/mechanism/model/number.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// A 3D file (STL, OBJ, PLY, GLB) attached to a link in addition to its gears. `file` is a path from the
 /// folder of the document, with slashes, that stays inside it. A point p of the file is at position + R
@@ -165,28 +165,28 @@ struct Input {
   friend bool operator==(const Input&, const Input&) = default;
 };
 
-enum class CouplingKind { brake, clutch, freewheel };
+enum class ShiftElementKind { brake, clutch, freewheel };
 
 /// The word of documents.
-[[nodiscard]] std::string_view couplingKindName(CouplingKind kind);
+[[nodiscard]] std::string_view couplingKindName(ShiftElementKind kind);
 /// The word of sentences with the coupling's id: "brake B", in the language in use.
-[[nodiscard]] std::string couplingName(CouplingKind kind, std::string_view id);
+[[nodiscard]] std::string couplingName(ShiftElementKind kind, std::string_view id);
 
 /// A brake (one link, held to the ground when engaged), a clutch (two links that turn as one when engaged) or
 /// a freewheel: the first of its links may not turn faster than the second in +direction of the axis of its
 /// own joint, and while it is locked they turn as one.
-struct Coupling {
-  CouplingId id;
-  CouplingKind kind = CouplingKind::brake;
+struct ShiftElement {
+  ShiftElementId id;
+  ShiftElementKind kind = ShiftElementKind::brake;
   std::vector<LinkId> links;
   UnknownMembers unknown;
-  friend bool operator==(const Coupling&, const Coupling&) = default;
+  friend bool operator==(const ShiftElement&, const ShiftElement&) = default;
 };
 
 /// Couplings that are engaged together, and the two links whose speeds define the ratio of the state.
 struct ShiftState {
   std::string name;
-  std::vector<CouplingId> engaged;
+  std::vector<ShiftElementId> engaged;
   std::optional<LinkId> drive;
   std::optional<LinkId> driven;
   std::optional<Number> direction = {};  ///< 1 or -1: the sense of `drive`, which freewheels obey; none: 1
@@ -194,19 +194,19 @@ struct ShiftState {
   friend bool operator==(const ShiftState&, const ShiftState&) = default;
 };
 
-struct SheetPoint {
+struct CanvasPoint {
   double x = 0;
   double y = 0;
-  friend bool operator==(const SheetPoint&, const SheetPoint&) = default;
+  friend bool operator==(const CanvasPoint&, const CanvasPoint&) = default;
 };
 
 /// A text of one or more lines on the sheet of the digraph, centred at `at` (notes.h).
-struct SheetNote {
+struct CanvasNote {
   NoteId id;
   std::string text;
-  SheetPoint at;
+  CanvasPoint at;
   UnknownMembers unknown = {};
-  friend bool operator==(const SheetNote&, const SheetNote&) = default;
+  friend bool operator==(const CanvasNote&, const CanvasNote&) = default;
 };
 
 /// The camera of the 3D view: it looks at `target` from this distance, azimuth about +z and elevation.
@@ -223,9 +223,9 @@ struct ViewCamera {
 /// What the editor remembers of its drawings. No number of the analysis depends on it. Nodes of links that
 /// are not in the document are kept but not drawn.
 struct View {
-  std::map<LinkId, SheetPoint> nodes;    ///< centres of the digraph's nodes, x to the right, y down
-  std::map<LinkId, SheetPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
-  std::vector<SheetNote> notes;          ///< on the digraph's sheet, in painting order
+  std::map<LinkId, CanvasPoint> nodes;    ///< centres of the digraph's nodes, x to the right, y down
+  std::map<LinkId, CanvasPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
+  std::vector<CanvasNote> notes;          ///< on the digraph's sheet, in painting order
   std::optional<ViewCamera> camera;
   /// The numbers of the links' colours that are not their labels: links keep their colours while labels move.
   std::map<LinkId, int> colors;
@@ -255,11 +255,12 @@ struct Mechanism {
   ByWheel<Wheel> wheels;
   std::optional<GearDefaults> gearDefaults;
   std::optional<std::vector<Input>> inputs;
-  ByCoupling<Coupling> couplings;
+  ByCoupling<ShiftElement> couplings;
   std::vector<ShiftState> states;
-  std::vector<CouplingId> engaged;  ///< couplings that are engaged now; the analysis applies to this state
+  std::vector<ShiftElementId>
+      engaged;  ///< couplings that are engaged now; the analysis applies to this state
   std::vector<Load> loads;
-  std::optional<std::vector<Balance>> balances;
+  std::optional<std::vector<HoldingTorque>> balances;
   /// None: open, and by stiffness where losses depend on it.
   std::optional<LoadSharing> sharing;
   std::optional<Number> driveTorque;    ///< at the drive of every state in the shift table, N m
@@ -287,8 +288,8 @@ struct Mechanism {
   [[nodiscard]] const TurningJoint* find(JointId id) const;
   [[nodiscard]] const GearMesh* find(MeshId id) const;
   [[nodiscard]] const Wheel* find(WheelId id) const;
-  [[nodiscard]] const Coupling* find(CouplingId id) const;
-  [[nodiscard]] const SheetNote* find(NoteId id) const;
+  [[nodiscard]] const ShiftElement* find(ShiftElementId id) const;
+  [[nodiscard]] const CanvasNote* find(NoteId id) const;
 };
 
 using MechanismPtr = std::shared_ptr<const Mechanism>;
@@ -300,4 +301,4 @@ using MechanismPtr = std::shared_ptr<const Mechanism>;
 /// if the element is not in the mechanism. Cost: O(length of the list).
 [[nodiscard]] std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& element);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// Calls visit(Element*) for each described class; the pointers are null.
@@ -174,4 +174,4 @@ std::span<const DocumentPart> documentParts() {
   return parts;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The objects of a document that have members of their own.
 enum class DocumentPart {
@@ -129,4 +129,4 @@ struct MemberInfo {
 /// Every kind of object, the document first, each before those inside it.
 [[nodiscard]] std::span<const DocumentPart> documentParts();
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,12 +5,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/checked_edit.h"
 #include "core/mechanism/model/element_pointer.h"
 #include "core/mechanism/model/limits.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// The control characters of ASCII; those of Latin-1 are the two bytes C2 80 .. C2 9F.
@@ -37,7 +37,7 @@ std::size_t characters(std::string_view text) {
 }
 
 /// Without the sign of a zero, which would be lost on the way through a file or the history.
-SheetPoint place(SheetPoint at) {
+CanvasPoint place(CanvasPoint at) {
   return {at.x + 0.0, at.y + 0.0};
 }
 
@@ -70,7 +70,7 @@ std::string noteText(std::string_view typed) {
 
 std::vector<NoteId> freshNoteIds(const Mechanism& mechanism, std::size_t count) {
   std::unordered_set<NoteId> taken;
-  for (const SheetNote& note : mechanism.view.notes) taken.insert(note.id);
+  for (const CanvasNote& note : mechanism.view.notes) taken.insert(note.id);
   std::vector<NoteId> fresh;
   for (int number = 1; fresh.size() < count; ++number) {
     const NoteId id("N" + std::to_string(number));
@@ -79,25 +79,25 @@ std::vector<NoteId> freshNoteIds(const Mechanism& mechanism, std::size_t count) 
   return fresh;
 }
 
-Expected<Mechanism> withNote(Mechanism mechanism, SheetPoint at, std::string text) {
+Expected<Mechanism> withNote(Mechanism mechanism, CanvasPoint at, std::string text) {
   const NoteId id = freshNoteIds(mechanism, 1).front();
   mechanism.view.notes.push_back({id, std::move(text), place(at)});
   return checked(std::move(mechanism));
 }
 
 Expected<Mechanism> withNoteText(Mechanism mechanism, NoteId note, std::string text) {
-  std::vector<SheetNote>& notes = mechanism.view.notes;
+  std::vector<CanvasNote>& notes = mechanism.view.notes;
   const auto found =
-      std::find_if(notes.begin(), notes.end(), [note](const SheetNote& each) { return each.id == note; });
+      std::find_if(notes.begin(), notes.end(), [note](const CanvasNote& each) { return each.id == note; });
   if (found == notes.end()) return unknown(note);
   found->text = std::move(text);
   return checked(std::move(mechanism));
 }
 
 Expected<Mechanism> withNotesMoved(Mechanism mechanism,
-                                   std::span<const std::pair<NoteId, SheetPoint>> notes) {
-  std::unordered_map<NoteId, SheetNote*> known;
-  for (SheetNote& note : mechanism.view.notes) known.emplace(note.id, &note);
+                                   std::span<const std::pair<NoteId, CanvasPoint>> notes) {
+  std::unordered_map<NoteId, CanvasNote*> known;
+  for (CanvasNote& note : mechanism.view.notes) known.emplace(note.id, &note);
   for (const auto& [id, at] : notes) {
     const auto found = known.find(id);
     if (found == known.end()) return unknown(id);
@@ -107,7 +107,7 @@ Expected<Mechanism> withNotesMoved(Mechanism mechanism,
 }
 
 Diagnostics noteDiagnostics(const Mechanism& mechanism) {
-  const std::vector<SheetNote>& notes = mechanism.view.notes;
+  const std::vector<CanvasNote>& notes = mechanism.view.notes;
   Diagnostics diagnostics;
   const auto add = [&](std::string message, std::vector<ElementId> elements, std::string pointer) {
     diagnostics.push_back({Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0});
@@ -116,7 +116,7 @@ Diagnostics noteDiagnostics(const Mechanism& mechanism) {
     add(translated("A document has at most 1,000 notes; this one has %1.", {std::to_string(notes.size())}),
         {}, "/view/notes");
   for (std::size_t i = 0; i < notes.size(); ++i) {
-    const SheetNote& note = notes[i];
+    const CanvasNote& note = notes[i];
     const std::string at = pointerTo(ElementKind::note, i);
     if (characters(note.id.text()) > kMaxNameLength)
       add(translated("A name has at most 1,000 characters; this one has %1.",
@@ -136,4 +136,4 @@ Diagnostics noteDiagnostics(const Mechanism& mechanism) {
   return diagnostics;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Notes on the digraph's sheet and their edits: pure functions, as in edits.h. withoutElements() also removes
 // notes. No number of the analysis depends on them.
@@ -22,12 +22,12 @@ constexpr std::size_t kMaxNotes = 1'000;       ///< in a document
 
 /// A new note at the end of the list, with the smallest free id of "N1", "N2", ... Rejects schema: a
 /// violation of noteDiagnostics().
-[[nodiscard]] Expected<Mechanism> withNote(Mechanism mechanism, SheetPoint at, std::string text);
+[[nodiscard]] Expected<Mechanism> withNote(Mechanism mechanism, CanvasPoint at, std::string text);
 /// Rejects unknown-id, and schema as withNote().
 [[nodiscard]] Expected<Mechanism> withNoteText(Mechanism mechanism, NoteId note, std::string text);
 /// Rejects unknown-id. Cost: O(notes + moves).
 [[nodiscard]] Expected<Mechanism> withNotesMoved(Mechanism mechanism,
-                                                 std::span<const std::pair<NoteId, SheetPoint>> notes);
+                                                 std::span<const std::pair<NoteId, CanvasPoint>> notes);
 
 /// The first `count` ids of "N1", "N2", ... that no note has.
 [[nodiscard]] std::vector<NoteId> freshNoteIds(const Mechanism& mechanism, std::size_t count);
@@ -36,4 +36,4 @@ constexpr std::size_t kMaxNotes = 1'000;       ///< in a document
 /// long, a position beyond +-kLargestLength, too many notes. Part of limitDiagnostics().
 [[nodiscard]] Diagnostics noteDiagnostics(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

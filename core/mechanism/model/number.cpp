@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxDecimals = 6;
@@ -91,4 +91,4 @@ std::optional<Number> Number::fromText(std::string_view text) {
   return number;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// A number of the document: its exact value, its nearest double, and its text, so that saving a file
 /// preserves the spelling ("22/7", 0.10, 1e-3).
@@ -69,4 +69,4 @@ using NumberTriple = std::array<Number, 3>;
   return triple[0].isZero() && triple[1].isZero() && triple[2].isZero();
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/mechanism/model/patch_bytes.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 // --- texts ------------------------------------------------------------------------------------------------
@@ -35,14 +35,14 @@ void apply(const std::optional<TextPatch>& patch, std::string& text, bool forwar
 
 // --- lists ------------------------------------------------------------------------------------------------
 
-Atom keyOf(const Input& input) {
+InternedString keyOf(const Input& input) {
   return input.joint.atom();
 }
 const std::string& keyOf(const ShiftState& state) {
   return state.name;
 }
 template <class Element>
-Atom keyOf(const Element& element) {
+InternedString keyOf(const Element& element) {
   return element.id.atom();
 }
 
@@ -202,7 +202,7 @@ void apply(const MemberPatch& patch, UnknownMembers& members, bool forward) {
 }
 
 /// By the bits: a place of -0 is written otherwise than one of 0.
-std::pair<std::uint64_t, std::uint64_t> bitsOf(const SheetPoint& place) {
+std::pair<std::uint64_t, std::uint64_t> bitsOf(const CanvasPoint& place) {
   return {std::bit_cast<std::uint64_t>(place.x), std::bit_cast<std::uint64_t>(place.y)};
 }
 int bitsOf(int number) {
@@ -306,4 +306,4 @@ Mechanism MechanismPatch::back(Mechanism after) const {
   return after;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The difference between two versions of a document, from which either gives the other. The history stores
 /// patches instead of documents: an edit of one element takes some hundred bytes, whatever the size of the
@@ -33,4 +33,4 @@ class MechanismPatch {
   std::size_t m_bytes = 0;
 };
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/mechanism/model/patch_parts.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Sums the heap memory that values own.
 class ByteCount {
@@ -50,7 +50,7 @@ class ByteCount {
   void one(const Id<Tag>& /*id*/) {}
   template <class Value>
   requires(std::is_arithmetic_v<Value> || std::is_enum_v<Value>) void one(Value /*value*/) {}
-  void one(const SheetPoint& /*place*/) {}
+  void one(const CanvasPoint& /*place*/) {}
   void one(const JointLimits& limits) { add(limits.low, limits.high); }
   void one(const LinkMass& mass) { add(mass.mass, mass.center, mass.inertia); }
   template <class Value>
@@ -62,7 +62,7 @@ class ByteCount {
   void one(const JointTorque& action) { add(action.torque); }
   void one(const LinkTorque& action) { add(action.torque); }
   void one(const LinkForce& action) { add(action.force, action.point); }
-  void one(const Balance::OnLink& /*place*/) {}
+  void one(const HoldingTorque::OnLink& /*place*/) {}
   template <class... Values>
   void one(const std::variant<Values...>& value) {
     std::visit([this](const auto& held) { one(held); }, value);
@@ -96,4 +96,4 @@ class ByteCount {
   std::size_t m_total = 0;
 };
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

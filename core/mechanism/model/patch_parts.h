@@ -9,7 +9,7 @@
 
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The difference between two texts: the part between their common prefix and suffix.
 struct TextPatch {
@@ -101,4 +101,4 @@ struct ObjectPatch {
   MemberPatch members;
 };
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

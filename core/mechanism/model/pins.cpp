@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 template <class Element>
@@ -30,4 +30,4 @@ Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, b
                     0};
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

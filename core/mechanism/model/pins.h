@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // What the user has pinned stays as it is while other things change: an axis keeps its place, the gears of a
 // link keep their teeth, a mesh its module. No number of the analysis depends on it.
@@ -21,4 +21,4 @@ namespace geargraph::inline model {
 /// Pins an axis, a link or a mesh, or unpins it. Rejects unknown-id.
 [[nodiscard]] Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, bool pinned);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/arithmetic.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// rad in a degree, with 17 digits, so that products with whole numbers stay short decimals.
@@ -213,4 +213,4 @@ std::optional<TypedAngle> angleFromText(std::string_view text) {
   return value && value->isZero() ? std::optional(TypedAngle{}) : std::nullopt;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/number.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Numbers as people type them, for fields of the window and options of the command line. All are exact, but
 // for conversions by pi, where a degree is 0.017453292519943295 rad: so ratios of typed angles and speeds
@@ -43,4 +43,4 @@ struct TypedAngle {
 };
 [[nodiscard]] std::optional<TypedAngle> angleFromText(std::string_view text);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 /// The labels of one kind of element: adds those that changed, and tells whether one of `before` is gone.
@@ -39,4 +39,4 @@ std::vector<Renumbered> renumberedByRemoval(const Mechanism& before, const Mecha
   return found;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// An element that is the same in two mechanisms and has another label in the second.
 struct Renumbered {
@@ -18,4 +18,4 @@ struct Renumbered {
 /// is drawn are those of what comes after it, as everybody expects. Cost: O(n + t + c).
 [[nodiscard]] std::vector<Renumbered> renumberedByRemoval(const Mechanism& before, const Mechanism& after);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

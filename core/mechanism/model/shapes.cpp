@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 Diagnostic shapeRejection(Code code, std::string message, LinkId link) {
@@ -67,4 +67,4 @@ bool staysInFolder(std::string_view path) {
   return true;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// Replaces the 3D files attached to a link: a pure function, as in edits.h. Rejects unknown-id, and schema
 /// for a path that leads out of the folder or a scale that is not above 0.
@@ -19,4 +19,4 @@ namespace geargraph::inline model {
 /// no address, and no ".." that leads out? True for "parts/../arm.stl".
 [[nodiscard]] bool staysInFolder(std::string_view path);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elements = {}) {
@@ -13,41 +13,41 @@ Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elem
 }
 
 /// "A", "B", ... "Z", "A1", ...
-CouplingId freshCouplingId(const Mechanism& mechanism) {
+ShiftElementId freshCouplingId(const Mechanism& mechanism) {
   for (int round = 0;; ++round) {
     for (char letter = 'A'; letter <= 'Z'; ++letter) {
-      const CouplingId id(std::string(1, letter) + (round == 0 ? "" : std::to_string(round)));
+      const ShiftElementId id(std::string(1, letter) + (round == 0 ? "" : std::to_string(round)));
       if (mechanism.find(id) == nullptr) return id;
     }
   }
 }
 
-Expected<Mechanism> withCoupling(Mechanism mechanism, CouplingKind kind, std::vector<LinkId> links,
+Expected<Mechanism> withCoupling(Mechanism mechanism, ShiftElementKind kind, std::vector<LinkId> links,
                                  const std::string& id) {
   for (const LinkId link : links) {
     if (mechanism.find(link) == nullptr)
       return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
                        {link});
   }
-  const CouplingId name = id.empty() ? freshCouplingId(mechanism) : CouplingId(id);
+  const ShiftElementId name = id.empty() ? freshCouplingId(mechanism) : ShiftElementId(id);
   if (mechanism.find(name) != nullptr)
     return rejection(Code::duplicateId, translated("There is a coupling \"%1\" already.", {id}), {name});
   mechanism.couplings.push_back({name, kind, std::move(links), {}});
   return mechanism;
 }
 
-Diagnostic noSuchCoupling(CouplingId coupling) {
+Diagnostic noSuchCoupling(ShiftElementId coupling) {
   return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {coupling.text(), "couplings"}),
                    {coupling});
 }
 
-bool contains(const std::vector<CouplingId>& list, CouplingId coupling) {
+bool contains(const std::vector<ShiftElementId>& list, ShiftElementId coupling) {
   return std::find(list.begin(), list.end(), coupling) != list.end();
 }
 
-bool isFreewheel(const Mechanism& mechanism, CouplingId coupling) {
-  const Coupling* const found = mechanism.find(coupling);
-  return found != nullptr && found->kind == CouplingKind::freewheel;
+bool isFreewheel(const Mechanism& mechanism, ShiftElementId coupling) {
+  const ShiftElement* const found = mechanism.find(coupling);
+  return found != nullptr && found->kind == ShiftElementKind::freewheel;
 }
 
 ShiftState& stateAt(Mechanism& mechanism, int state) {
@@ -79,26 +79,27 @@ Expected<Mechanism> withBrake(Mechanism mechanism, LinkId link, const std::strin
   if (link == mechanism.links.front().id)
     return rejection(Code::schema, translated("The ground does not move: a brake is for a moving link."),
                      {link});
-  return withCoupling(std::move(mechanism), CouplingKind::brake, {link}, id);
+  return withCoupling(std::move(mechanism), ShiftElementKind::brake, {link}, id);
 }
 
 Expected<Mechanism> withClutch(Mechanism mechanism, LinkId one, LinkId other, const std::string& id) {
   if (one == other)
     return rejection(Code::selfJoint, translated("A clutch needs two different links."), {one});
-  return withCoupling(std::move(mechanism), CouplingKind::clutch, {one, other}, id);
+  return withCoupling(std::move(mechanism), ShiftElementKind::clutch, {one, other}, id);
 }
 
 Expected<Mechanism> withFreewheel(Mechanism mechanism, LinkId first, LinkId second, const std::string& id) {
   if (first == second)
     return rejection(Code::selfJoint, translated("A freewheel needs two different links."), {first});
-  return withCoupling(std::move(mechanism), CouplingKind::freewheel, {first, second}, id);
+  return withCoupling(std::move(mechanism), ShiftElementKind::freewheel, {first, second}, id);
 }
 
-Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling, const std::string& name) {
+Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, ShiftElementId coupling,
+                                        const std::string& name) {
   const auto found = std::find_if(mechanism.couplings.begin(), mechanism.couplings.end(),
-                                  [&](const Coupling& each) { return each.id == coupling; });
+                                  [&](const ShiftElement& each) { return each.id == coupling; });
   if (found == mechanism.couplings.end()) return noSuchCoupling(coupling);
-  const CouplingId id(name);
+  const ShiftElementId id(name);
   if (id == coupling) return mechanism;
   if (id.empty()) return rejection(Code::schema, translated("A coupling needs a name."), {coupling});
   if (mechanism.find(id) != nullptr)
@@ -135,12 +136,12 @@ Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::
   if (name.empty()) return rejection(Code::schema, translated("A state needs a name."));
   if (isStateName(mechanism, name))
     return rejection(Code::duplicateId, translated("There is a state \"%1\" already.", {name}),
-                     {ElementId(ElementKind::state, Atom(name))});
+                     {ElementId(ElementKind::state, InternedString(name))});
   found.name = name;
   return mechanism;
 }
 
-Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling, bool engaged) {
+Expected<Mechanism> withEngaged(Mechanism mechanism, int state, ShiftElementId coupling, bool engaged) {
   if (mechanism.find(coupling) == nullptr) return noSuchCoupling(coupling);
   ShiftState& found = stateAt(mechanism, state);
   if (engaged && isFreewheel(mechanism, coupling)) {
@@ -149,8 +150,8 @@ Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupl
                                 {found.name, coupling.text()}),
                      {coupling});
   }
-  std::vector<CouplingId> ordered;
-  for (const Coupling& each : mechanism.couplings) {
+  std::vector<ShiftElementId> ordered;
+  for (const ShiftElement& each : mechanism.couplings) {
     if (each.id == coupling ? engaged : contains(found.engaged, each.id)) ordered.push_back(each.id);
   }
   found.engaged = std::move(ordered);
@@ -165,34 +166,34 @@ Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven) {
   return withEnd(std::move(mechanism), state, driven, &ShiftState::driven);
 }
 
-Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<CouplingId>& engaged) {
+Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<ShiftElementId>& engaged) {
   for (auto coupling = engaged.begin(); coupling != engaged.end(); ++coupling) {
     if (mechanism.find(*coupling) == nullptr) return noSuchCoupling(*coupling);
     if (std::find(engaged.begin(), coupling, *coupling) != coupling)
       return rejection(Code::duplicateId, translated("Coupling \"%1\" is listed twice.", {coupling->text()}),
                        {*coupling});
   }
-  std::vector<CouplingId> ordered;
-  for (const Coupling& each : mechanism.couplings) {
+  std::vector<ShiftElementId> ordered;
+  for (const ShiftElement& each : mechanism.couplings) {
     if (contains(engaged, each.id)) ordered.push_back(each.id);
   }
   mechanism.engaged = std::move(ordered);
   return mechanism;
 }
 
-bool isEngaged(const Mechanism& mechanism, CouplingId coupling) {
+bool isEngaged(const Mechanism& mechanism, ShiftElementId coupling) {
   return contains(mechanism.engaged, coupling);
 }
 
 bool isEngaged(const Mechanism& mechanism, int state) {
   GEARGRAPH_REQUIRE(state >= 0 && state < static_cast<int>(mechanism.states.size()));
   if (mechanism.engaged.empty()) return false;
-  const std::vector<CouplingId>& wanted = mechanism.states[static_cast<std::size_t>(state)].engaged;
-  const auto in = [](const std::vector<CouplingId>& list) {
-    return [&list](CouplingId coupling) { return contains(list, coupling); };
+  const std::vector<ShiftElementId>& wanted = mechanism.states[static_cast<std::size_t>(state)].engaged;
+  const auto in = [](const std::vector<ShiftElementId>& list) {
+    return [&list](ShiftElementId coupling) { return contains(list, coupling); };
   };
   return std::all_of(wanted.begin(), wanted.end(), in(mechanism.engaged)) &&
-         std::all_of(mechanism.engaged.begin(), mechanism.engaged.end(), [&](CouplingId coupling) {
+         std::all_of(mechanism.engaged.begin(), mechanism.engaged.end(), [&](ShiftElementId coupling) {
            return contains(wanted, coupling) || isFreewheel(mechanism, coupling);
          });
 }
@@ -210,4 +211,4 @@ int engagedState(const Mechanism& mechanism) {
   return found;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 // Edits of brakes, clutches and states: pure functions, as in edits.h. Couplings go with withoutElements().
 
@@ -21,7 +21,7 @@ namespace geargraph::inline model {
                                                 const std::string& id = {});
 
 /// Changes the id of a coupling, also in states. Rejects unknown-id, duplicate-id and an empty id.
-[[nodiscard]] Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling,
+[[nodiscard]] Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, ShiftElementId coupling,
                                                       const std::string& name);
 
 /// Appends a state, named with the first free whole number; drive and driven are those of the state before
@@ -34,7 +34,7 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::string& name);
 /// Engages or releases a coupling in a state. Rejects a freewheel that is to be engaged, which no state
 /// names. Engaged ones are in the order of the document's couplings.
-[[nodiscard]] Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling,
+[[nodiscard]] Expected<Mechanism> withEngaged(Mechanism mechanism, int state, ShiftElementId coupling,
                                               bool engaged);
 /// Sets the links whose speeds define the ratio, of one state; of all with `state` -1.
 [[nodiscard]] Expected<Mechanism> withDrive(Mechanism mechanism, int state, LinkId drive);
@@ -43,10 +43,11 @@ namespace geargraph::inline model {
 /// Engages exactly these couplings now (Mechanism::engaged), in the order of the document's couplings; with
 /// an empty list it releases all. Inputs stay as they are; withCouplingsEngaged() (theory/states) adapts
 /// them. Rejects unknown-id, and duplicate-id for a coupling that is listed twice.
-[[nodiscard]] Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<CouplingId>& engaged);
+[[nodiscard]] Expected<Mechanism> withEngagement(Mechanism mechanism,
+                                                 const std::vector<ShiftElementId>& engaged);
 
 /// Is this brake or clutch engaged in the document?
-[[nodiscard]] bool isEngaged(const Mechanism& mechanism, CouplingId coupling);
+[[nodiscard]] bool isEngaged(const Mechanism& mechanism, ShiftElementId coupling);
 /// Are exactly the couplings of this state engaged in the document, whatever freewheels do? True for all
 /// states with the same couplings, which differ in their drive; false if nothing is engaged. @pre there is
 /// such a state
@@ -55,4 +56,4 @@ namespace geargraph::inline model {
 /// first input; -1 for none.
 [[nodiscard]] int engagedState(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/foundations/base/nearest_name.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/fields.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 // clang-format off
@@ -50,10 +50,11 @@ class UnknownMemberList {
     } else if constexpr (std::is_same_v<Object, Input>) {
       return ElementId(object.joint);
     } else if constexpr (std::is_same_v<Object, ShiftState>) {
-      return ElementId(ElementKind::state, Atom(object.name));
-    } else if constexpr (std::is_same_v<Object, Balance>) {
+      return ElementId(ElementKind::state, InternedString(object.name));
+    } else if constexpr (std::is_same_v<Object, HoldingTorque>) {
       const auto* const joint = std::get_if<JointId>(&object.at);
-      return joint != nullptr ? ElementId(*joint) : ElementId(std::get<Balance::OnLink>(object.at).link);
+      return joint != nullptr ? ElementId(*joint)
+                              : ElementId(std::get<HoldingTorque::OnLink>(object.at).link);
     } else {
       return around;
     }
@@ -128,4 +129,4 @@ std::string_view misspelledMember(std::string_view name) {
   return found == kMisspellings.end() ? std::string_view() : found->second;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

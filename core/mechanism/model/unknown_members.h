@@ -6,7 +6,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/model/member_info.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// unknown-member: members of a document that this program does not know, one diagnostic for each name and
 /// kind of object, with all elements that have it, and the nearest known name where it looks like a slip.
@@ -17,4 +17,4 @@ namespace geargraph::inline model {
 /// names. The reader of documents rejects it in objects that may have that member.
 [[nodiscard]] std::string_view misspelledMember(std::string_view name);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -5,15 +5,15 @@
 #include <unordered_set>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/element_pointer.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/load_checks.h"
 #include "core/mechanism/model/mass_edits.h"
 #include "core/mechanism/model/shapes.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 namespace {
 
 Diagnostic makeDiagnostic(Code code, std::string message, std::vector<ElementId> elements,
@@ -55,7 +55,7 @@ class WellFormedCheck {
   }
 
  private:
-  using Known = std::unordered_set<Atom>;
+  using Known = std::unordered_set<InternedString>;
 
   void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer) {
     m_diagnostics.push_back(
@@ -65,7 +65,7 @@ class WellFormedCheck {
   template <class Element>
   void uniqueIds(const std::vector<Element>& list, ElementKind kind, Known& known) {
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const Atom id = list[i].id.atom();
+      const InternedString id = list[i].id.atom();
       if (id.empty()) {
         add(Code::schema, translated("An id may not be empty."), {}, pointerTo(kind, i) + "/id");
       } else if (!known.insert(id).second) {
@@ -270,9 +270,9 @@ class WellFormedCheck {
 
   void checkCouplings() {
     for (std::size_t i = 0; i < m_mechanism.couplings.size(); ++i) {
-      const Coupling& coupling = m_mechanism.couplings[i];
+      const ShiftElement& coupling = m_mechanism.couplings[i];
       const std::string at = pointerTo(ElementKind::coupling, i);
-      const bool isBrake = coupling.kind == CouplingKind::brake;
+      const bool isBrake = coupling.kind == ShiftElementKind::brake;
       for (std::size_t k = 0; k < coupling.links.size(); ++k) {
         reference(coupling.id, coupling.links[k], m_links,
                   at + (isBrake ? "/link" : "/links/" + std::to_string(k)));
@@ -280,12 +280,13 @@ class WellFormedCheck {
       const std::size_t wanted = isBrake ? 1 : 2;
       if (coupling.links.size() != wanted) {
         add(Code::schema,
-            coupling.kind == CouplingKind::freewheel ? translated("A freewheel names two links.")
-                                                     : translated("A brake names one link, a clutch two."),
+            coupling.kind == ShiftElementKind::freewheel
+                ? translated("A freewheel names two links.")
+                : translated("A brake names one link, a clutch two."),
             {coupling.id}, at + (isBrake ? "/link" : "/links"));
       } else if (wanted == 2 && coupling.links[0] == coupling.links[1]) {
         add(Code::selfJoint,
-            coupling.kind == CouplingKind::freewheel
+            coupling.kind == ShiftElementKind::freewheel
                 ? translated("Freewheel \"%1\" ties link \"%2\" to itself.",
                              {coupling.id.text(), coupling.links[0].text()})
                 : translated("Clutch \"%1\" ties link \"%2\" to itself.",
@@ -299,7 +300,7 @@ class WellFormedCheck {
     Known names;
     for (std::size_t i = 0; i < m_mechanism.states.size(); ++i) {
       const ShiftState& state = m_mechanism.states[i];
-      const ElementId owner(ElementKind::state, Atom(state.name));
+      const ElementId owner(ElementKind::state, InternedString(state.name));
       const std::string at = pointerTo(ElementKind::state, i);
       if (!names.insert(owner.id).second) {
         add(Code::duplicateId, translated("The name \"%1\" occurs twice in %2.", {state.name, "states"}),
@@ -307,8 +308,8 @@ class WellFormedCheck {
       }
       for (std::size_t k = 0; k < state.engaged.size(); ++k) {
         reference(owner, state.engaged[k], m_couplings, at + "/engaged/" + std::to_string(k));
-        const Coupling* const coupling = m_mechanism.find(state.engaged[k]);
-        if (coupling != nullptr && coupling->kind == CouplingKind::freewheel) {
+        const ShiftElement* const coupling = m_mechanism.find(state.engaged[k]);
+        if (coupling != nullptr && coupling->kind == ShiftElementKind::freewheel) {
           add(Code::schema,
               translated("State \"%1\" engages freewheel \"%2\", which locks by itself: leave it out.",
                          {state.name, state.engaged[k].text()}),
@@ -326,7 +327,7 @@ class WellFormedCheck {
   void checkEngaged() {
     Known seen;
     for (std::size_t i = 0; i < m_mechanism.engaged.size(); ++i) {
-      const CouplingId id = m_mechanism.engaged[i];
+      const ShiftElementId id = m_mechanism.engaged[i];
       const std::string at = "/engaged/" + std::to_string(i);
       if (!m_couplings.contains(id.atom())) {
         add(Code::unknownId, translated("There is no \"%1\" in %2.", {id.text(), "couplings"}), {id}, at);
@@ -523,4 +524,4 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   return diagnostics;
 }
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

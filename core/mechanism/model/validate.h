@@ -3,7 +3,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline model {
+namespace geargraph {
 
 /// The violations of well-formedness: duplicate-id, unknown-id, self-joint, and schema for teeth, directions,
 /// couplings, loads (load_checks.h) and the limits of the format (limits.h). All of them, not only the first.
@@ -21,4 +21,4 @@ namespace geargraph::inline model {
 /// Cost: O(n + t), and the length of each loop.
 [[nodiscard]] Diagnostics treeDiagnostics(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline model
+}  // namespace geargraph

@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 /// Arbitrary ones that tell drawn lines apart.
@@ -37,7 +37,7 @@ class ClassFinder {
   }
 
   /// True where some axis is named by joints of several classes.
-  bool run(AxisClasses& result, Diagnostics& diagnostics) {
+  bool run(AxisGroups& result, Diagnostics& diagnostics) {
     result.classOf.resize(m_tree.joints.size());
     result.orientationSign.resize(m_tree.joints.size());
     for (const LinkOrdinal link : m_tree.order) {
@@ -133,7 +133,7 @@ class ClassFinder {
     }
   }
 
-  void giveClasses(LinkOrdinal link, std::span<const int> joints, AxisClasses& result) {
+  void giveClasses(LinkOrdinal link, std::span<const int> joints, AxisGroups& result) {
     const int up = m_tree.joint[link];
     int depth = 0;
     if (up >= 0) {
@@ -159,7 +159,7 @@ class ClassFinder {
     return m_groups[static_cast<std::size_t>(m_axes[m_tree.axisOf[joint]].group)];
   }
 
-  bool number(AxisClasses& result) {
+  bool number(AxisGroups& result) {
     constexpr int kNone = -1;
     bool isSplit = false;
     for (AxisMark& axis : m_axes) axis.group = kNone;  // from now on the class of its joints
@@ -215,7 +215,7 @@ class ClassFinder {
   std::pmr::vector<Merged> m_merged{&m_scratch};
 };
 
-void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisClasses& classes,
+void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisGroups& classes,
                   Diagnostics& diagnostics) {
   ByAxis<std::vector<int>> classesOfAxis(mechanism.axes.size());
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
@@ -244,10 +244,10 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
 
 }  // namespace
 
-AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, const ByAxis<AxisLine>& lines,
+AxisGroups::AxisGroups(const Mechanism& mechanism, const JointTree& tree, const ByAxis<AxisLine>& lines,
                          Diagnostics& diagnostics) {
   const bool isSplit = ClassFinder(mechanism, tree, lines).run(*this, diagnostics);
   if (isSplit) reportSplits(mechanism, tree, *this, diagnostics);
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 ExactVector3 scaledToOne(const ExactVector3& direction) {
   const Rational largest = std::max({direction[0].abs(), direction[1].abs(), direction[2].abs()});
@@ -36,4 +36,4 @@ ByAxis<AxisLine> givenLines(const Mechanism& mechanism) {
   return lines;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/triple.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 [[nodiscard]] inline ExactVector3 toFractions(const NumberTriple& triple) {
   return {triple[0].exact(), triple[1].exact(), triple[2].exact()};
@@ -38,4 +38,4 @@ struct AxisLine {
 /// The lines given in the document, by axis; one that it leaves open is at the origin and marked automatic.
 [[nodiscard]] ByAxis<AxisLine> givenLines(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

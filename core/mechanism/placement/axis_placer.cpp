@@ -11,7 +11,7 @@
 #include "core/mechanism/placement/mesh_geometry.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 /// A vector at right angles: of z it is y, of y it is z, of x it is y.
@@ -23,8 +23,8 @@ ExactVector3 acrossOf(const ExactVector3& direction) {
 
 class AxisPlacer {
  public:
-  AxisPlacer(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-             const ByMesh<std::optional<MeshWord>>& words, const LineComparison* train)
+  AxisPlacer(const Mechanism& mechanism, const JointTree* tree, const AxisGroups& classes,
+             const ByMesh<std::optional<MeshAxisPath>>& words, const LineComparison* train)
       : m_mechanism(mechanism),
         m_classes(classes),
         m_words(words),
@@ -287,8 +287,8 @@ class AxisPlacer {
   }
 
   const Mechanism& m_mechanism;
-  const AxisClasses& m_classes;
-  const ByMesh<std::optional<MeshWord>>& m_words;
+  const AxisGroups& m_classes;
+  const ByMesh<std::optional<MeshAxisPath>>& m_words;
   const LineComparison* m_train;  ///< as given; none without a tree, where nothing is compared
   ByAxis<std::optional<PlacedLine>> m_lines;
   ByAxis<std::vector<Partner>> m_meshesAt;
@@ -306,7 +306,7 @@ std::optional<Rational> statedModule(const GearMesh& mesh) {
 }
 
 PlacedAxes placedAxes(const Mechanism& mechanism, ByAxis<AxisLine> given, const JointTree* tree,
-                      const AxisClasses& classes, const ByMesh<std::optional<MeshWord>>& words) {
+                      const AxisGroups& classes, const ByMesh<std::optional<MeshAxisPath>>& words) {
   // All given is the usual case, and needs no fractions.
   const bool open =
       std::any_of(given.begin(), given.end(), [](const AxisLine& axis) { return axis.automatic; });
@@ -318,4 +318,4 @@ PlacedAxes placedAxes(const Mechanism& mechanism, ByAxis<AxisLine> given, const 
   return {std::move(given), {}, kDefaultModule, {}};
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

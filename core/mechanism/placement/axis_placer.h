@@ -6,7 +6,7 @@
 #include "core/mechanism/placement/axis_line.h"
 #include "core/mechanism/placement/mesh_word.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The module (pitch diameter / teeth) of trains whose document gives no size.
 constexpr int kDefaultModule = 2;
@@ -38,6 +38,7 @@ struct PlacedAxes {
 /// `given`: givenLines(), which marks the open axes. `words`: by mesh, none for a mesh without a carrier;
 /// empty without a tree.
 [[nodiscard]] PlacedAxes placedAxes(const Mechanism& mechanism, ByAxis<AxisLine> given, const JointTree* tree,
-                                    const AxisClasses& classes, const ByMesh<std::optional<MeshWord>>& words);
+                                    const AxisGroups& classes,
+                                    const ByMesh<std::optional<MeshAxisPath>>& words);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

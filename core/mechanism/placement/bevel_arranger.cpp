@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
-constexpr int kMaxSteps = 60;           // to either side, one by one; then in strides,
+constexpr int kMaxArrangerSteps = 60;   // to either side, one by one; then in strides,
 constexpr int kMaxStep = 2000;          // to here
 constexpr double kAgainst = 1.5;        // a place on the negative half counts as so much farther,
 constexpr double kBehindRoot = 100;     // and where the axis begins at the point
@@ -41,8 +41,8 @@ std::pair<int, int> ordered(int a, int b) {
 
 }  // namespace
 
-BevelArranger::BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-                             SpanByMesh<const std::optional<MeshWord>> words)
+BevelArranger::BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisGroups& classes,
+                             SpanByMesh<const std::optional<MeshAxisPath>> words)
     : m_mechanism(mechanism),
       m_tree(tree),
       m_classes(classes),
@@ -106,7 +106,7 @@ BevelArranger::Wheels BevelArranger::wheelsBetween(int from, int to, const Vecto
 void BevelArranger::setSizes(int from, int to, const Line& a, const Line& b, double module) {
   Wheels standing;
   const auto isSame = [](const Wheel& x, const Wheel& y) {
-    return x.link == y.link && x.axisClass == y.axisClass &&
+    return x.link == y.link && x.axisGroup == y.axisGroup &&
            length(x.hull.front().centre - y.hull.front().centre) < 1e-6 * y.hull.front().radius;
   };
   const auto meets = [&](const Wheels& pair) {
@@ -137,10 +137,10 @@ void BevelArranger::setSizes(int from, int to, const Line& a, const Line& b, dou
 bool BevelArranger::meet(const Wheel& wheel, const Wheel& other) const {
   if (wheel.link == other.link) return false;
   if (areNear(wheel.hull, other.hull, m_margin)) return true;
-  ClassPath path;
+  AxisGroupPath path;
   path.walk(m_classes, wheel.link, other.link);
   for (const int c : path.classes()) {
-    if (c == wheel.axisClass || c == other.axisClass) continue;
+    if (c == wheel.axisGroup || c == other.axisGroup) continue;
     const auto& line = m_lines[m_classes.classes[c].axis];
     if (!line) continue;
     for (int i = 1; i < kTurns; ++i) {
@@ -154,7 +154,7 @@ bool BevelArranger::meet(const Wheel& wheel, const Wheel& other) const {
 /// Wheels of the pairs that stand about the same apex already are no obstacle to their partners.
 bool BevelArranger::fits(const Wheels& wheels) const {
   const auto isSame = [](const Wheel& x, const Wheel& y) {
-    return x.link == y.link && x.axisClass == y.axisClass && x.teeth == y.teeth &&
+    return x.link == y.link && x.axisGroup == y.axisGroup && x.teeth == y.teeth &&
            length(x.hull.front().centre - y.hull.front().centre) < 1e-6 * y.hull.front().radius;
   };
   return std::none_of(wheels.begin(), wheels.end(), [&](const Wheel& wheel) {
@@ -187,8 +187,8 @@ int BevelArranger::place(int from, int to, const Vector3& direction, double modu
     return wheelsBetween(from, to, a.point + (module * kStep * step) * a.direction, a, b, module);
   };
   std::vector<int> steps{first};
-  for (int i = -kMaxSteps; i <= kMaxSteps; ++i) steps.push_back(i);
-  for (int i = kMaxSteps; i < kMaxStep; steps.insert(steps.end(), {i, -i})) i += i / 6;
+  for (int i = -kMaxArrangerSteps; i <= kMaxArrangerSteps; ++i) steps.push_back(i);
+  for (int i = kMaxArrangerSteps; i < kMaxStep; steps.insert(steps.end(), {i, -i})) i += i / 6;
   const double against = m_rooted.contains(from) ? kBehindRoot : kAgainst;
   const auto cost = [&](int step) { return step < 0 ? -against * step : step; };
   std::stable_sort(steps.begin() + 1, steps.end(), [&](int x, int y) { return cost(x) < cost(y); });
@@ -210,4 +210,4 @@ void BevelArranger::stand(int from, int to, double module) {
   add(wheelsBetween(from, to, a.point + along * a.direction, a, b, module));
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/mechanism/placement/disc_hull.h"
 #include "core/mechanism/placement/mesh_word.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The default BevelArranger::sizes(): the module of a derived bevel pair in halves of the placement's
 /// module.
@@ -22,9 +22,9 @@ constexpr int kUsualBevelSize = 2;
 /// differential, one on each half.
 class SideNumbers {
  public:
-  int side(ClassOrdinal axisClass, LinkOrdinal carrier, LinkOrdinal link, int partner) {
-    const auto [known, isNew] = m_sides.try_emplace({axisClass, carrier, link}, -1);
-    std::set<int>& taken = m_taken[{axisClass, carrier, partner}];
+  int side(AxisGroupOrdinal axisGroup, LinkOrdinal carrier, LinkOrdinal link, int partner) {
+    const auto [known, isNew] = m_sides.try_emplace({axisGroup, carrier, link}, -1);
+    std::set<int>& taken = m_taken[{axisGroup, carrier, partner}];
     if (isNew && taken.contains(-1) && !taken.contains(1)) known->second = 1;
     taken.insert(known->second);
     return known->second;
@@ -43,8 +43,8 @@ class BevelArranger {
  public:
   /// `words`: by mesh, none for a mesh without a carrier; empty without a tree. All arguments outlive this
   /// object.
-  BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-                SpanByMesh<const std::optional<MeshWord>> words);
+  BevelArranger(const Mechanism& mechanism, const JointTree* tree, const AxisGroups& classes,
+                SpanByMesh<const std::optional<MeshAxisPath>> words);
 
   /// Records the place of a line. `direction` is a unit vector.
   void setLine(AxisOrdinal axis, const Vector3& point, const Vector3& direction) {
@@ -69,7 +69,7 @@ class BevelArranger {
   };
   struct Wheel {
     LinkOrdinal link = 0;
-    ClassOrdinal axisClass = 0;
+    AxisGroupOrdinal axisGroup = 0;
     int teeth = 0;
     DiscHull hull;
     int partner = -1;  ///< index of the other wheel in a pair's list
@@ -88,8 +88,8 @@ class BevelArranger {
 
   const Mechanism& m_mechanism;
   const JointTree* m_tree;
-  const AxisClasses& m_classes;
-  SpanByMesh<const std::optional<MeshWord>> m_words;
+  const AxisGroups& m_classes;
+  SpanByMesh<const std::optional<MeshAxisPath>> m_words;
   ByAxis<std::optional<Line>> m_lines;
   std::set<int> m_rooted;  ///< axes whose wheels are on their positive half
   std::map<std::pair<int, int>, std::vector<int>> m_between;  ///< meshes by their axes, the smaller first
@@ -99,4 +99,4 @@ class BevelArranger {
   double m_margin = 0;
 };
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

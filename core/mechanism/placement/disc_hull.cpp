@@ -7,10 +7,10 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
-constexpr int kMaxSteps = 60;
+constexpr int kMaxHullSteps = 60;
 constexpr double kTouch = 1e-9;  // of both sizes: hulls that touch are near, however rounding has it
 
 /// Across a disc's axis, relative to the direction: less is rounding, which must not choose a point of the
@@ -38,11 +38,11 @@ Vector3 farthest(const DiscHull& hull, const Vector3& direction) {
 }
 
 /// The bounding sphere of a hull.
-struct BoundingSphere {
+struct HullSphere {
   Vector3 centre{};
   double radius = 0;
 
-  explicit BoundingSphere(const DiscHull& hull) {
+  explicit HullSphere(const DiscHull& hull) {
     for (const Disc& disc : hull) centre = centre + (1.0 / static_cast<double>(hull.size())) * disc.centre;
     for (const Disc& disc : hull) radius = std::max(radius, length(disc.centre - centre) + disc.radius);
   }
@@ -119,7 +119,7 @@ class Simplex {
 
 bool areNear(const DiscHull& a, const DiscHull& b, double margin) {
   GEARGRAPH_REQUIRE(!a.empty() && !b.empty());
-  const BoundingSphere sphereA(a), sphereB(b);
+  const HullSphere sphereA(a), sphereB(b);
   const double size = sphereA.radius + sphereB.radius;
   const double near = margin + kTouch * size;
   if (length(sphereA.centre - sphereB.centre) > size + near) return false;
@@ -127,7 +127,7 @@ bool areNear(const DiscHull& a, const DiscHull& b, double margin) {
   Vector3 nearest = sphereA.centre - sphereB.centre;  // no point of the difference, but a direction
   if (length(nearest) == 0) return true;
   simplex.add(farthest(a, -1.0 * nearest) - farthest(b, nearest));
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kMaxHullSteps; ++i) {
     const auto p = simplex.nearest();
     if (!p) return true;
     nearest = *p;
@@ -153,4 +153,4 @@ DiscHull turned(const DiscHull& hull, const Vector3& point, const Vector3& direc
   return result;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

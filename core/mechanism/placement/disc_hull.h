@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/triple.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// A disc in space. `axis` is a unit vector.
 struct Disc {
@@ -26,4 +26,4 @@ using DiscHull = std::vector<Disc>;
 [[nodiscard]] DiscHull turned(const DiscHull& hull, const Vector3& point, const Vector3& direction,
                               double angle);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

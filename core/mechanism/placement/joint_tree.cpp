@@ -1,6 +1,6 @@
 #include "core/mechanism/placement/joint_tree.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 std::optional<JointTree> JointTree::of(const Mechanism& mechanism) {
   auto graph = std::make_shared<const Digraph>(mechanism);
@@ -34,4 +34,4 @@ std::vector<int> JointTree::breadthFirst() const {
   return links;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

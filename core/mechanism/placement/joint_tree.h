@@ -6,7 +6,7 @@
 
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The tree of the turning joints, by positions in the document's lists, rooted at the ground: Digraph and
 /// SpanningTree as arrays. A value; copies share the two.
@@ -31,4 +31,4 @@ struct JointTree {
   std::span<const int> order;    ///< links, each after its parent
 };
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

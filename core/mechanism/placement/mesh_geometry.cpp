@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 std::string text(double value, int digits = 6) {
@@ -188,13 +188,13 @@ std::optional<Diagnostic> checkHelix(const Mechanism& mechanism, MeshOrdinal mes
   geometry.tailHelix = helixOf(element);
   geometry.headHelix = turnsAlike(geometry.kind) ? geometry.tailHelix : -geometry.tailHelix;
   if (!element.module) return std::nullopt;
-  constexpr double kMostShift = 2;  // modules, of both wheels
+  constexpr double kMaxShift = 2;  // modules, of both wheels
   const double distance =
       pairKind(geometry.kind).distance(std::abs(geometry.tailRadius), std::abs(geometry.headRadius));
   const double share =
       distanceTeeth(geometry.kind, element.tailTeeth, element.headTeeth) / (2 * std::cos(geometry.tailHelix));
   const double module = element.module->value();
-  if (std::abs(distance - share * module) <= kMostShift * module) return std::nullopt;
+  if (std::abs(distance - share * module) <= kMaxShift * module) return std::nullopt;
   return moduleAgainstDistance(mechanism, mesh, distance, share * module, distance / share);
 }
 
@@ -273,4 +273,4 @@ bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<
   return true;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

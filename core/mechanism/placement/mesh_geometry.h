@@ -8,7 +8,7 @@
 #include "core/mechanism/placement/pitch_point.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The geometry of a gear mesh in the reference pose. The axes A (tail's gear) and B (head's) are the lines
 /// of the two axis classes; both are fixed in the carrier, so nothing here changes with the pose.
@@ -16,8 +16,8 @@ struct MeshGeometry {
   LinkOrdinal tail = 0;  ///< link positions
   LinkOrdinal head = 0;
   LinkOrdinal carrier = 0;  ///< the transfer vertex
-  ClassOrdinal tailClass = 0;
-  ClassOrdinal headClass = 0;
+  AxisGroupOrdinal tailClass = 0;
+  AxisGroupOrdinal headClass = 0;
   int tailTeeth = 1;
   int headTeeth = 1;
   /// s: N_tail w_tail = s N_head w_head, the speeds relative to the carrier about the classes' lines. From
@@ -62,4 +62,4 @@ struct MeshGeometry {
 /// teeth-geometry, for a pair with a ring and equal tooth counts.
 [[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, MeshOrdinal mesh);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -3,61 +3,61 @@
 #include <algorithm>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
-std::string wordText(const Mechanism& mechanism, const AxisClasses& classes,
-                     const std::vector<ClassOrdinal>& word) {
+std::string wordText(const Mechanism& mechanism, const AxisGroups& classes,
+                     const std::vector<AxisGroupOrdinal>& word) {
   std::string text;
-  for (const ClassOrdinal letter : word) {
+  for (const AxisGroupOrdinal letter : word) {
     text += (text.empty() ? "" : "|") + mechanism.axes[classes.classes[letter].axis].id.text();
   }
   return text;
 }
 
 /// The class that two links share, -1 where there is none. @pre the links differ
-ClassOrdinal sharedClass(const AxisClasses& classes, LinkOrdinal a, LinkOrdinal b) {
-  const ClassOrdinal ofA = classes.classOfLink(a);
-  const ClassOrdinal ofB = classes.classOfLink(b);
+AxisGroupOrdinal sharedClass(const AxisGroups& classes, LinkOrdinal a, LinkOrdinal b) {
+  const AxisGroupOrdinal ofA = classes.classOfLink(a);
+  const AxisGroupOrdinal ofB = classes.classOfLink(b);
   if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].rootLink == b)) return ofA;
-  return ofB >= 0 && classes.classes[ofB].rootLink == a ? ofB : ClassOrdinal(-1);
+  return ofB >= 0 && classes.classes[ofB].rootLink == a ? ofB : AxisGroupOrdinal(-1);
 }
 
 /// The two classes of a proper word share one link only, the carrier, which is the root link of one of them:
 /// of the tail's or of the head's.
-std::optional<MeshWord> properWord(const AxisClasses& classes, LinkOrdinal tail, LinkOrdinal head) {
-  const ClassOrdinal ofTail = classes.classOfLink(tail);
-  const ClassOrdinal ofHead = classes.classOfLink(head);
-  const auto rootOf = [&](ClassOrdinal axisClass) {
-    return axisClass < 0 ? LinkOrdinal(-1) : classes.classes[axisClass].rootLink;
+std::optional<MeshAxisPath> properWord(const AxisGroups& classes, LinkOrdinal tail, LinkOrdinal head) {
+  const AxisGroupOrdinal ofTail = classes.classOfLink(tail);
+  const AxisGroupOrdinal ofHead = classes.classOfLink(head);
+  const auto rootOf = [&](AxisGroupOrdinal axisGroup) {
+    return axisGroup < 0 ? LinkOrdinal(-1) : classes.classes[axisGroup].rootLink;
   };
   const auto canCarry = [&](LinkOrdinal link) { return link >= 0 && link != tail && link != head; };
   if (const LinkOrdinal carrier = rootOf(ofTail); canCarry(carrier)) {
-    const ClassOrdinal shared = sharedClass(classes, head, carrier);
-    if (shared >= 0 && shared != ofTail) return MeshWord{ofTail, shared, carrier};
+    const AxisGroupOrdinal shared = sharedClass(classes, head, carrier);
+    if (shared >= 0 && shared != ofTail) return MeshAxisPath{ofTail, shared, carrier};
   }
   if (const LinkOrdinal carrier = rootOf(ofHead); canCarry(carrier)) {
-    const ClassOrdinal shared = sharedClass(classes, tail, carrier);
-    if (shared >= 0 && shared != ofHead) return MeshWord{shared, ofHead, carrier};
+    const AxisGroupOrdinal shared = sharedClass(classes, tail, carrier);
+    if (shared >= 0 && shared != ofHead) return MeshAxisPath{shared, ofHead, carrier};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-void ClassPath::climb(const AxisClasses& classes, LinkOrdinal& link, std::vector<ClassOrdinal>& word,
-                      std::vector<LinkOrdinal>& links) {
-  const ClassOrdinal at = classes.classOfLink(link);
+void AxisGroupPath::climb(const AxisGroups& classes, LinkOrdinal& link, std::vector<AxisGroupOrdinal>& word,
+                          std::vector<LinkOrdinal>& links) {
+  const AxisGroupOrdinal at = classes.classOfLink(link);
   word.push_back(at);
   link = classes.classes[at].rootLink;
   links.push_back(link);
 }
 
-void ClassPath::walk(const AxisClasses& classes, LinkOrdinal tail, LinkOrdinal head) {
+void AxisGroupPath::walk(const AxisGroups& classes, LinkOrdinal tail, LinkOrdinal head) {
   const auto depthOf = [&](LinkOrdinal link) {
-    const ClassOrdinal at = classes.classOfLink(link);
+    const AxisGroupOrdinal at = classes.classOfLink(link);
     return at < 0 ? -1 : classes.classes[at].depth;
   };
   m_classes.clear();
@@ -83,9 +83,9 @@ void ClassPath::walk(const AxisClasses& classes, LinkOrdinal tail, LinkOrdinal h
     m_changes.insert(m_changes.end(), m_headChanges.rbegin() + 1, m_headChanges.rend());
 }
 
-std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
-                                 const JointTree& tree, MeshOrdinal mesh, ClassPath& path,
-                                 Diagnostics& diagnostics) {
+std::optional<MeshAxisPath> meshWord(const Mechanism& mechanism, const AxisGroups& classes,
+                                     const JointTree& tree, MeshOrdinal mesh, AxisGroupPath& path,
+                                     Diagnostics& diagnostics) {
   const auto [tail, head] = tree.meshes[mesh];
   if (const auto proper = properWord(classes, tail, head)) return proper;
   path.walk(classes, tail, head);
@@ -112,4 +112,4 @@ std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& 
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

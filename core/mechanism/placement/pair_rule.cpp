@@ -2,12 +2,12 @@
 
 #include <numbers>
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 /// @tparam alike  both gears turn in the same direction
 template <bool alike, class Scalar>
-Triple<Scalar> pointBetweenParallels(const GearPair<Scalar>& pair, const PitchPlace<Scalar>& place) {
+Vector3Of<Scalar> pointBetweenParallels(const GearPair<Scalar>& pair, const PitchPlace<Scalar>& place) {
   return parallelPitchPoint(pair, alike, place.level);
 }
 
@@ -60,4 +60,4 @@ const PairRule& pairRule(MeshKind kind) {
   return pairRules()[kind];
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

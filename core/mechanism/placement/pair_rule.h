@@ -9,14 +9,14 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/pitch_point.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// What the pitch point of a pair depends on besides its axes and teeth.
 template <class Scalar>
 struct PitchPlace {
-  Triple<Scalar> level{};  ///< parallel axes: a point of the plane in which the pitch circles touch
-  BevelSides sides;        ///< intersecting axes: the half axes of the wheels
-  Scalar module{};         ///< intersecting axes
+  Vector3Of<Scalar> level{};  ///< parallel axes: a point of the plane in which the pitch circles touch
+  BevelSides sides;           ///< intersecting axes: the half axes of the wheels
+  Scalar module{};            ///< intersecting axes
 };
 
 /// What placement knows of a kind of gear pair: where the two wheels touch, which gives the pitch radii and
@@ -42,4 +42,4 @@ extern const PairRule kBevelRule;
 extern const PairRule kBeltRule;
 extern const PairRule kPinsRule;
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/mechanism/placement/pitch_point.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 Vector3 bevelPitchPoint(const GearPair<double>& pair, BevelSides sides, double module) {
   const Vector3 tail = unit(pair.tailDirection);
@@ -25,4 +25,4 @@ std::optional<ExactVector3> bevelPitchPoint(const GearPair<Rational>& pair, Beve
          size * (Rational(sides.tail * pair.headTeeth) * tail + Rational(sides.head * pair.tailTeeth) * head);
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

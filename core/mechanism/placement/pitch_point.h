@@ -4,15 +4,15 @@
 
 #include "core/foundations/base/triple.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The axes and tooth counts of two gears. Directions need not be unit vectors.
 template <class Scalar>
 struct GearPair {
-  Triple<Scalar> tailPoint;
-  Triple<Scalar> tailDirection;
-  Triple<Scalar> headPoint;
-  Triple<Scalar> headDirection;
+  Vector3Of<Scalar> tailPoint;
+  Vector3Of<Scalar> tailDirection;
+  Vector3Of<Scalar> headPoint;
+  Vector3Of<Scalar> headDirection;
   int tailTeeth = 1;
   int headTeeth = 1;
 };
@@ -22,23 +22,23 @@ struct GearPair {
 /// pitch point, whatever the profile shifts.
 /// @pre internal: different tooth counts
 template <class Scalar>
-[[nodiscard]] Triple<Scalar> parallelPitchPoint(const GearPair<Scalar>& pair, bool internal,
-                                                const Triple<Scalar>& level) {
-  const auto foot = [&](const Triple<Scalar>& point, const Triple<Scalar>& direction) {
+[[nodiscard]] Vector3Of<Scalar> parallelPitchPoint(const GearPair<Scalar>& pair, bool internal,
+                                                   const Vector3Of<Scalar>& level) {
+  const auto foot = [&](const Vector3Of<Scalar>& point, const Vector3Of<Scalar>& direction) {
     const Scalar along = dot(level - point, direction) / dot(direction, direction);
     return point + along * direction;
   };
   const Scalar head(pair.headTeeth);
   const Scalar tail(internal ? pair.tailTeeth : -pair.tailTeeth);
-  const Triple<Scalar> sum =
+  const Vector3Of<Scalar> sum =
       head * foot(pair.tailPoint, pair.tailDirection) - tail * foot(pair.headPoint, pair.headDirection);
   return (Scalar(1) / (head - tail)) * sum;
 }
 
 /// Where intersecting axes intersect (the apex). @pre the lines are coplanar and not parallel
 template <class Scalar>
-[[nodiscard]] Triple<Scalar> apexOf(const GearPair<Scalar>& pair) {
-  const Triple<Scalar> normal = cross(pair.tailDirection, pair.headDirection);
+[[nodiscard]] Vector3Of<Scalar> apexOf(const GearPair<Scalar>& pair) {
+  const Vector3Of<Scalar> normal = cross(pair.tailDirection, pair.headDirection);
   const Scalar along =
       dot(cross(pair.headPoint - pair.tailPoint, pair.headDirection), normal) / dot(normal, normal);
   return pair.tailPoint + along * pair.tailDirection;
@@ -58,4 +58,4 @@ struct BevelSides {
 [[nodiscard]] std::optional<ExactVector3> bevelPitchPoint(const GearPair<Rational>& pair, BevelSides sides,
                                                           const Rational& module);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

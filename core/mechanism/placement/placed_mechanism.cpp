@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <utility>
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 PlacedMechanism::PlacedMechanism(MechanismPtr mechanism)
     : m_mechanism(std::move(mechanism)),
@@ -21,4 +21,4 @@ Expected<PlacedMechanism> unplaced(Expected<Mechanism> edited) {
   return PlacedMechanism(std::move(edited).value());
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

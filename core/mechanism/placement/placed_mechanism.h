@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// A mechanism with its placement, which is computed once, on first use, and shared by copies. Immutable and
 /// thread-safe. Edits that keep the geometry consistent (fitting) take and return these, so that the
@@ -39,4 +39,4 @@ class PlacedMechanism {
   return edited;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -9,11 +9,11 @@
 #include "core/mechanism/placement/strand.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 /// Is the tail's axis the inner one, nearer the ground?
-bool tailIsInner(const Placement& placement, ClassOrdinal tailClass, ClassOrdinal headClass) {
+bool tailIsInner(const Placement& placement, AxisGroupOrdinal tailClass, AxisGroupOrdinal headClass) {
   const auto& classes = placement.classes->classes;
   return classes[tailClass].depth <= classes[headClass].depth;
 }
@@ -25,7 +25,7 @@ class SideChooser {
       : m_mechanism(mechanism), m_placement(placement), m_train(train) {}
 
   /// The pair's places are relative to the point of the tail's line.
-  BevelSides choose(MeshOrdinal mesh, const MeshWord& word, const GearPair<double>& pair) {
+  BevelSides choose(MeshOrdinal mesh, const MeshAxisPath& word, const GearPair<double>& pair) {
     const auto [tail, head] = m_placement.tree->meshes[mesh];
     const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
     const Vector3 apex = apexOf(pair);
@@ -37,10 +37,10 @@ class SideChooser {
   }
 
  private:
-  int side(LinkOrdinal link, ClassOrdinal axisClass, LinkOrdinal carrier, int partner, const Vector3& apex,
-           const ExactVector3& origin, bool inner) {
-    const AxisLine& line = m_placement.lineOfClass(axisClass);
-    if (m_placement.classes->classOfLink(link) == axisClass) {
+  int side(LinkOrdinal link, AxisGroupOrdinal axisGroup, LinkOrdinal carrier, int partner,
+           const Vector3& apex, const ExactVector3& origin, bool inner) {
+    const AxisLine& line = m_placement.lineOfClass(axisGroup);
+    if (m_placement.classes->classOfLink(link) == axisGroup) {
       const JointOrdinal joint = m_placement.tree->joint[link];
       const AxisOrdinal axis = m_placement.tree->axisOf[joint];
       const AxisLine& own = m_placement.axes[axis];
@@ -58,7 +58,7 @@ class SideChooser {
       }
     }
     if (!inner) return 1;
-    return m_numbers.side(axisClass, carrier, link, partner);
+    return m_numbers.side(axisGroup, carrier, link, partner);
   }
 
   const Mechanism& m_mechanism;
@@ -80,7 +80,7 @@ class MeshLocator {
         m_sides(mechanism, placement, train) {}
 
   /// False, and a diagnostic, where it comes to nothing.
-  bool locate(MeshOrdinal mesh, const MeshWord& word, MeshGeometry& geometry) {
+  bool locate(MeshOrdinal mesh, const MeshAxisPath& word, MeshGeometry& geometry) {
     const GearMesh& element = m_mechanism.gearMeshes[mesh];
     const AxisLine& tail = m_placement.lineOfClass(word.tailClass);
     const AxisLine& head = m_placement.lineOfClass(word.headClass);
@@ -120,8 +120,8 @@ class MeshLocator {
 
   /// The head's line and a given pitch point, seen from the tail's line: by doubles, and where their rounding
   /// could show in a mesh of this extent, by fractions.
-  void takePlaces(const MeshWord& word, const AxisLine& tail, const AxisLine& head, const GearMesh& element,
-                  MeshGeometry& geometry) const {
+  void takePlaces(const MeshAxisPath& word, const AxisLine& tail, const AxisLine& head,
+                  const GearMesh& element, MeshGeometry& geometry) const {
     constexpr double kNegligible = 1e-10;
     geometry.tailToHead = head.point - tail.point;
     double reach = reachOf(tail.point) + reachOf(head.point);
@@ -141,7 +141,7 @@ class MeshLocator {
   }
 
   /// False where a pair with a ring has equal teeth.
-  bool derivePitchPoint(MeshOrdinal mesh, const GearPair<double>& pair, const MeshWord& word,
+  bool derivePitchPoint(MeshOrdinal mesh, const GearPair<double>& pair, const MeshAxisPath& word,
                         LinePosition position, MeshGeometry& geometry) {
     geometry.derived = true;
     const MeshKind said = saidKind(m_mechanism.gearMeshes[mesh]);
@@ -186,15 +186,15 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
   ByAxis<AxisLine> given = givenLines(mechanism);
   if (!tree) {
     placement.meshes.resize(mechanism.gearMeshes.size());
-    PlacedAxes placed = placedAxes(mechanism, std::move(given), nullptr, AxisClasses(), {});
+    PlacedAxes placed = placedAxes(mechanism, std::move(given), nullptr, AxisGroups(), {});
     take(placed, placement);
     return placement;
   }
   placement.tree = std::move(tree);
   placement.classes.emplace(mechanism, *placement.tree, given, placement.diagnostics);
-  ByMesh<std::optional<MeshWord>> words;
+  ByMesh<std::optional<MeshAxisPath>> words;
   words.reserve(mechanism.gearMeshes.size());
-  ClassPath path;
+  AxisGroupPath path;
   for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
     words.push_back(
         meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics));
@@ -218,8 +218,9 @@ ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, Axis
   return {toFractions(*given.point), toFractions(*given.direction)};
 }
 
-ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement, ClassOrdinal axisClass) {
-  return exactLine(mechanism, placement, placement.classes->classes[axisClass].axis);
+ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,
+                           AxisGroupOrdinal axisGroup) {
+  return exactLine(mechanism, placement, placement.classes->classes[axisGroup].axis);
 }
 
 std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
@@ -241,4 +242,4 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
       .exactPitchPoint(pair, {inner ? pair.tailPoint : pair.headPoint, geometry.sides, module});
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -6,14 +6,14 @@
 #include "core/mechanism/placement/axis_placer.h"
 #include "core/mechanism/placement/mesh_geometry.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The reference geometry of a mechanism: the line of every axis, and for every mesh its carrier, its pitch
 /// point and the sign and radii that follow. What the document leaves open is chosen here, so that a digraph
 /// with tooth counts is enough for an analysis and a 3D view.
 struct Placement {
   std::optional<JointTree> tree;       ///< none if the turning joints are no spanning tree: no meshes then
-  std::optional<AxisClasses> classes;  ///< with the tree
+  std::optional<AxisGroups> classes;  ///< with the tree
   ByAxis<AxisLine> axes;
   std::vector<ExactLine> chosen;               ///< of the automatic axes, in fractions
   ByMesh<std::optional<MeshGeometry>> meshes;  ///< none for a mesh with a diagnostic
@@ -21,8 +21,8 @@ struct Placement {
   Diagnostics diagnostics;
 
   /// The line of an axis class. @pre there is a tree
-  [[nodiscard]] const AxisLine& lineOfClass(ClassOrdinal axisClass) const {
-    return axes[classes->classes[axisClass].axis];
+  [[nodiscard]] const AxisLine& lineOfClass(AxisGroupOrdinal axisGroup) const {
+    return axes[classes->classes[axisGroup].axis];
   }
 };
 
@@ -48,7 +48,7 @@ struct Placement {
 
 /// The line of a class in fractions. @pre the placement is the mechanism's and has a tree
 [[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,
-                                         ClassOrdinal axisClass);
+                                         AxisGroupOrdinal axisGroup);
 
 /// The pitch point of a mesh in fractions, if it is rational: written in the document, or derived without an
 /// irrational root; else std::nullopt.
@@ -56,4 +56,4 @@ struct Placement {
 [[nodiscard]] std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism,
                                                           const Placement& placement, MeshOrdinal mesh);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

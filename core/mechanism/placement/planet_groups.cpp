@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/disjoint_sets.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 class PlanetFinder {
@@ -45,7 +45,7 @@ class PlanetFinder {
     }
     // A wheel on the ground beside one other is no planet of it, unless there are several.
     std::erase_if(sets, [&](const auto& set) {
-      const ClassOrdinal own = classOf(set.front().links.front());
+      const AxisGroupOrdinal own = classOf(set.front().links.front());
       return set.size() < 2 && set.front().meshes.size() < 2 && m_classes.classes[own].rootLink == 0;
     });
     return sets;
@@ -143,7 +143,7 @@ class PlanetFinder {
   const Mechanism& m_mechanism;
   PlanetScope m_scope;
   const JointTree& m_tree;
-  const AxisClasses& m_classes;
+  const AxisGroups& m_classes;
   ByClass<bool> m_isPlanet;
   DisjointSets m_groups;
   ByClass<std::set<int>> m_members;  ///< links, by the group's root
@@ -164,4 +164,4 @@ std::vector<std::vector<PlanetGroup>> planetSets(const Mechanism& mechanism, con
   return PlanetFinder(mechanism, placement, scope).find();
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// Planets of one carrier that are connected by meshes: a single planet, or the two of a Ravigneaux pair.
 struct PlanetGroup {
@@ -35,4 +35,4 @@ enum class PlanetScope : std::uint8_t {
 [[nodiscard]] std::vector<std::vector<PlanetGroup>> planetSets(const Mechanism& mechanism,
                                                                const Placement& placement, PlanetScope scope);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 /// Do places lose more than a small part of the smallest pitch radius to the rounding of coordinates?
@@ -38,4 +38,4 @@ std::optional<Recentred> recentred(const Mechanism& mechanism, const Placement& 
   return Recentred{std::move(near), toDoubles(origin)};
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

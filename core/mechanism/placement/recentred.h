@@ -4,7 +4,7 @@
 
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// A placement relative to another origin than the document's.
 struct Recentred {
@@ -18,4 +18,4 @@ struct Recentred {
 /// @pre the placement is the mechanism's
 [[nodiscard]] std::optional<Recentred> recentred(const Mechanism& mechanism, const Placement& placement);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/placement/pair_rule.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 std::string lengthText(double value) {
@@ -88,4 +88,4 @@ bool placeStrand(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<do
   return true;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/mesh_geometry.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 /// The line of action of a pair whose wheels do not touch (PairKind::touches): a strand from the one pulley
 /// to the other, or the line along which a pin pushes its hole. With r the radii at which it passes the axes
@@ -21,4 +21,4 @@ namespace geargraph::inline placement {
                                LinePosition position, const Vector3& level, MeshGeometry& geometry,
                                Diagnostics& diagnostics);
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace geargraph::inline placement {
+namespace geargraph {
 namespace {
 
 /// Rounding below this part of a limit does not change what a decision against the limit means.
@@ -114,4 +114,4 @@ double LineKeys::of(const AxisLine& line, const Vector3& weights) const {
   return scale * dot(foot, weights) + seen * seen;
 }
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/graph/digraph.h"
 #include "core/mechanism/placement/axis_line.h"
 
-namespace geargraph::inline placement {
+namespace geargraph {
 
 // How geometry is compared. The result depends neither on the place nor on the size of a train. No rank,
 // degree of freedom or zero of the analysis depends on these tolerances: its rows come from tooth counts.
@@ -85,4 +85,4 @@ struct LineKeys {
   double window = 0;  ///< for weights of length 1 at most
 };
 
-}  // namespace geargraph::inline placement
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/emphasis.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 /// Where the curve comes so near to its end, by its parameter. @pre it begins farther off
@@ -29,12 +29,12 @@ void Pen::put(MarkRole role, int z, std::variant<Stroke, Fill, Text> what) {
 }
 
 Polyline arrowhead(const Curve& curve) {
-  const SheetPoint tip = curve.to;
-  const SheetPoint along =
+  const CanvasPoint tip = curve.to;
+  const CanvasPoint along =
       curve.isStraight() ? curve.direction(1) : unit(tip - curve.at(parameterBefore(curve, 6)));
   const double size = std::min(kArrowLength, distance(curve.from, tip) * 0.6);
-  const SheetPoint base = tip - size * along;
-  const SheetPoint wing = (size / kArrowLength * kArrowHalfWidth) * turned(along);
+  const CanvasPoint base = tip - size * along;
+  const CanvasPoint wing = (size / kArrowLength * kArrowHalfWidth) * turned(along);
   return {{tip, base + wing, base - wing}, true};
 }
 
@@ -51,13 +51,13 @@ void drawArrow(Pen& pen, const Curve& curve, const Tint& tint, double width, Das
 
 void drawWalk(Pen& pen, const Curve& curve, int walk, const Tint& tint) {
   constexpr double kSize = 5;
-  const SheetPoint middle = curve.at(0.5);
-  const SheetPoint along = static_cast<double>(walk) * curve.direction(0.5);
-  const SheetPoint tip = middle + kSize * along;
-  const SheetPoint wing = kSize * turned(along);
-  const SheetPoint tail = middle - kSize * along;
+  const CanvasPoint middle = curve.at(0.5);
+  const CanvasPoint along = static_cast<double>(walk) * curve.direction(0.5);
+  const CanvasPoint tip = middle + kSize * along;
+  const CanvasPoint wing = kSize * turned(along);
+  const CanvasPoint tail = middle - kSize * along;
   pen.put(MarkRole::walk, kLineDepth + 1,
           Fill{Polyline{{tip, tail + wing, middle - 0.4 * kSize * along, tail - wing}, true}, tint});
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

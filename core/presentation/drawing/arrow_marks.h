@@ -2,7 +2,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// Adds marks of one element to a display list, which outlives it.
 class Pen {
@@ -26,4 +26,4 @@ void drawWalk(Pen& pen, const Curve& curve, int walk, const Tint& tint);
 /// The line without the part that the arrowhead covers, so that its blunt end does not show beside the tip.
 [[nodiscard]] Curve shaft(const Curve& curve);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

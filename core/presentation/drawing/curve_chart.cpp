@@ -7,7 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 // px
@@ -49,16 +49,16 @@ class ChartMaker {
   void add(MarkRole role, int z, std::variant<Stroke, Fill, Text> what) {
     m_list.marks.push_back({ElementId(), role, z, std::move(what)});
   }
-  void addLine(std::vector<SheetPoint> points, Tint tint, double width, Dash dash = Dash::solid, int z = 0) {
+  void addLine(std::vector<CanvasPoint> points, Tint tint, double width, Dash dash = Dash::solid, int z = 0) {
     add(MarkRole::line, z, Stroke{Polyline{std::move(points), false}, tint, width, dash});
   }
-  void addText(const std::string& text, SheetPoint center, bool bold = false,
+  void addText(const std::string& text, CanvasPoint center, bool bold = false,
                ColorRole role = ColorRole::secondary) {
     add(MarkRole::label, 2, Text{text, center, kTextSize, bold, role});
   }
 
   /// Filled and hollow, round and square: told apart in print, too.
-  void addMark(SheetPoint at, std::size_t curve) {
+  void addMark(CanvasPoint at, std::size_t curve) {
     const Shape shape = curve < 2 ? Shape(Circle{at, kMark}) : Shape(Box{{at, kMark, kMark}, 0});
     add(MarkRole::node, 1, Fill{shape, curve % 2 == 0 ? tintOf(curve) : Tint(ColorRole::sheet)});
     if (curve % 2 != 0) add(MarkRole::node, 1, Stroke{shape, tintOf(curve), 1.4, Dash::solid});
@@ -68,17 +68,17 @@ class ChartMaker {
     double mostX = 1;
     double mostY = 1;
     for (const ChartCurve& curve : chart.curves) {
-      for (const SheetPoint point : curve.points) {
+      for (const CanvasPoint point : curve.points) {
         mostX = std::max(mostX, point.x);
         mostY = std::max(mostY, point.y);
       }
     }
     addAxes(chart, mostX, mostY);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-      std::vector<SheetPoint> points;
-      for (const SheetPoint point : chart.curves[i].points)
+      std::vector<CanvasPoint> points;
+      for (const CanvasPoint point : chart.curves[i].points)
         points.push_back({m_left + kWidth * point.x / mostX, -kHeight * point.y / mostY});
-      for (const SheetPoint at : points) addMark(at, i);
+      for (const CanvasPoint at : points) addMark(at, i);
       addLine(std::move(points), tintOf(i), 1.6, kDashes[i], 1);
     }
   }
@@ -134,4 +134,4 @@ double tickStep(double most, int parts) {
   return step;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

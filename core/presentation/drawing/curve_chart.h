@@ -5,12 +5,12 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// A curve through points, in the order of their x.
 struct ChartCurve {
   std::string name;
-  std::vector<SheetPoint> points;
+  std::vector<CanvasPoint> points;
 };
 
 /// Curves over one quantity, from 0 on both axes.
@@ -31,4 +31,4 @@ constexpr std::size_t kMaxChartCurves = 4;
 /// @pre most > 0, parts > 0
 [[nodiscard]] double tickStep(double most, int parts);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

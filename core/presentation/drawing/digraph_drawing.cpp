@@ -1,12 +1,12 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/drawing/arrow_marks.h"
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/edge_routing.h"
 #include "core/presentation/drawing/note_marks.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kHaloWidth = 9;     ///< of the band along an arrow
@@ -27,16 +27,16 @@ double nodeLabelSize(int label) {
 }
 
 void drawHatching(Pen& pen, const NodePlace& ground) {
-  const SheetPoint out = *ground.groundSide;
-  const SheetPoint along = turned(out);
-  const SheetPoint middle = ground.center + kGroundDistance * out;
+  const CanvasPoint out = *ground.groundSide;
+  const CanvasPoint along = turned(out);
+  const CanvasPoint middle = ground.center + kGroundDistance * out;
   const double half = ground.groundHalfWidth;
   const Stroke base{Polyline{{middle - half * along, middle + half * along}, false}, ColorRole::secondary,
                     kHatchWidth, Dash::solid};
   pen.put(MarkRole::hatching, kLineDepth, base);
   for (double place = -half + kHatchStep; place <= half; place += kHatchStep) {
-    const SheetPoint start = middle + place * along;
-    const SheetPoint end = start + kHatchDepth * out - (kHatchDepth - 1) * along;
+    const CanvasPoint start = middle + place * along;
+    const CanvasPoint end = start + kHatchDepth * out - (kHatchDepth - 1) * along;
     pen.put(MarkRole::hatching, kLineDepth,
             Stroke{Polyline{{start, end}, false}, ColorRole::secondary, kHatchWidth, Dash::solid});
   }
@@ -105,7 +105,7 @@ DisplayList digraphDrawing(const DigraphGeometry& geometry, const Emphases& emph
     list.append(edgeDrawing(edge, emphasisOf(emphases, edge.element)));
   for (const NodePlace& node : geometry.nodes)
     list.append(nodeDrawing(node, emphasisOf(emphases, node.link)));
-  for (const CouplingPlace& coupling : geometry.couplings)
+  for (const ShiftElementPlace& coupling : geometry.couplings)
     list.append(couplingDrawing(coupling, emphasisOf(emphases, coupling.coupling)));
   for (const NotePlace& note : geometry.notes)
     list.append(noteDrawing(note, emphasisOf(emphases, note.note)));
@@ -118,7 +118,7 @@ DisplayList digraphDrawing(const Mechanism& mechanism, const NodePositions& posi
   return digraphDrawing(digraphGeometry(mechanism, positions), emphases);
 }
 
-Curve previewCourse(SheetPoint tail, SheetPoint end, bool endIsNode) {
+Curve previewCourse(CanvasPoint tail, CanvasPoint end, bool endIsNode) {
   const Curve whole = Curve::straight(tail, end);
   return endIsNode ? trimmedAtRims(whole) : trimmedAtStart(whole);
 }
@@ -139,7 +139,7 @@ DisplayList arrowPreview(ElementKind kind, const Curve& curve, bool valid) {
   return list;
 }
 
-DisplayList linkPreview(SheetPoint center) {
+DisplayList linkPreview(CanvasPoint center) {
   DisplayList list;
   Pen pen(list, ElementId{});
   pen.put(MarkRole::preview, kPreviewDepth,
@@ -147,4 +147,4 @@ DisplayList linkPreview(SheetPoint center) {
   return list;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

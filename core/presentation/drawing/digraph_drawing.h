@@ -4,7 +4,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/drawing/emphasis.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The marks and outlines of one node or arrow.
 [[nodiscard]] DisplayList nodeDrawing(const NodePlace& node, const Emphasis& emphasis);
@@ -19,8 +19,8 @@ namespace geargraph::inline drawing {
 /// colour.
 [[nodiscard]] DisplayList arrowPreview(ElementKind kind, const Curve& curve, bool valid);
 /// The course of such an arrow between two nodes, or from a node to the mouse pointer.
-[[nodiscard]] Curve previewCourse(SheetPoint tail, SheetPoint end, bool endIsNode);
+[[nodiscard]] Curve previewCourse(CanvasPoint tail, CanvasPoint end, bool endIsNode);
 /// The preview of a new link.
-[[nodiscard]] DisplayList linkPreview(SheetPoint center);
+[[nodiscard]] DisplayList linkPreview(CanvasPoint center);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

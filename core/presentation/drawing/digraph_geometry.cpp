@@ -11,7 +11,7 @@
 #include "core/presentation/drawing/note_marks.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kRim = kNodeRadius + kRingWidth / 2;
@@ -86,7 +86,7 @@ class Changes {
     }
     if (former.geometry().couplings == now.couplings) return;
     for (const auto* couplings : {&former.geometry().couplings, &now.couplings}) {
-      for (const CouplingPlace& place : *couplings) {
+      for (const ShiftElementPlace& place : *couplings) {
         m_grid.addCurve(place.line);
         m_grid.addBox(couplingExtent(place));
       }
@@ -145,9 +145,9 @@ void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const Geom
 }
 
 /// The places that links have left, or taken, since `former`.
-std::vector<SheetPoint> movedPlaces(const GeometryIndex& former, const Digraph& graph,
-                                    const Centers& centers) {
-  std::vector<SheetPoint> places;
+std::vector<CanvasPoint> movedPlaces(const GeometryIndex& former, const Digraph& graph,
+                                     const Centers& centers) {
+  std::vector<CanvasPoint> places;
   std::size_t kept = 0;
   std::vector<char> stays(former.geometry().nodes.size(), 0);
   for (int v = 0; v < graph.nodeCount(); ++v) {
@@ -186,7 +186,7 @@ Courses coursesFrom(const GeometryIndex& former, const Digraph& graph, const Cen
 
 }  // namespace
 
-SheetPoint onSheet(SheetPoint place) {
+CanvasPoint onSheet(CanvasPoint place) {
   return {std::clamp(place.x, -kSheetEnd, kSheetEnd), std::clamp(place.y, -kSheetEnd, kSheetEnd)};
 }
 
@@ -202,11 +202,11 @@ const EdgePlace* DigraphGeometry::edge(const ElementId& element) const {
   return found == edges.end() ? nullptr : &*found;
 }
 
-Extent badgeExtent(SheetPoint center) {
+Extent badgeExtent(CanvasPoint center) {
   return {center, kBadgeHalfWidth, kBadgeHalfHeight};
 }
 
-Extent edgeLabelExtent(SheetPoint center, int label) {
+Extent edgeLabelExtent(CanvasPoint center, int label) {
   return {center, textWidth(std::to_string(label), kLabelSize, true) / 2, kLabelSize * 0.45};
 }
 
@@ -252,4 +252,4 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
   return geometry;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -8,13 +8,13 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
-using NodePositions = std::map<LinkId, SheetPoint>;
+using NodePositions = std::map<LinkId, CanvasPoint>;
 
 /// Positions on a sheet are limited to this on all sides, px: a file may contain any number.
 constexpr double kSheetEnd = 1e6;
-[[nodiscard]] SheetPoint onSheet(SheetPoint place);
+[[nodiscard]] CanvasPoint onSheet(CanvasPoint place);
 
 constexpr double kNodeRadius = 20;     ///< px, to the middle of the ring
 constexpr double kRingWidth = 3;       //
@@ -36,13 +36,13 @@ struct NodePlace {
   LinkId link;
   int label = 0;
   int color = 0;  ///< its number (Mechanism::colorNumber())
-  SheetPoint center;
-  std::string name;                      ///< as shown, elided; empty if there is none or no room for it
-  SheetPoint nameCenter;                 //
-  std::optional<SheetPoint> groundSide;  ///< ground only: unit vector from the centre towards the hatching
+  CanvasPoint center;
+  std::string name;                       ///< as shown, elided; empty if there is none or no room for it
+  CanvasPoint nameCenter;                 //
+  std::optional<CanvasPoint> groundSide;  ///< ground only: unit vector from the centre towards the hatching
   double groundHalfWidth = kGroundHalfWidth;  ///< of the hatching; smaller where arrows leave little room
   std::optional<JointId> input;               ///< the driven joint that moves this link
-  SheetPoint badgeCenter;                     ///< of the "motor" badge, if there is an input
+  CanvasPoint badgeCenter;                    ///< of the "motor" badge, if there is an input
   bool badgeCrowded = false;                  ///< no place was free for it
   friend bool operator==(const NodePlace&, const NodePlace&) = default;
 };
@@ -56,7 +56,7 @@ struct EdgePlace {
   Curve curve;
   int detoursLooked = 0;  ///< size of the area searched for its course (Course::looked)
   double height = 0;      ///< initial sideways offset, because of other arrows of the same two links, px
-  SheetPoint labelCenter;
+  CanvasPoint labelCenter;
   bool labelCrowded = false;  ///< no place was free for it
   [[nodiscard]] bool isMesh() const { return element.kind == ElementKind::gearMesh; }
   friend bool operator==(const EdgePlace&, const EdgePlace&) = default;
@@ -64,23 +64,23 @@ struct EdgePlace {
 
 /// A brake or a clutch in the digraph. They are no edges of it, so they have no arrow and no number: a dashed
 /// line from a link to a piece of the frame, or between two links, with two plates that face each other.
-struct CouplingPlace {
-  CouplingId coupling;
-  CouplingKind kind = CouplingKind::brake;
-  std::string name;   ///< as shown
-  Curve line;         ///< brake: from the link's rim outward; clutch: from rim to rim
-  SheetPoint plates;  ///< between both plates
-  SheetPoint way;     ///< from the link's plate to the other one, a unit vector
-  SheetPoint labelCenter;
+struct ShiftElementPlace {
+  ShiftElementId coupling;
+  ShiftElementKind kind = ShiftElementKind::brake;
+  std::string name;    ///< as shown
+  Curve line;          ///< brake: from the link's rim outward; clutch: from rim to rim
+  CanvasPoint plates;  ///< between both plates
+  CanvasPoint way;     ///< from the link's plate to the other one, a unit vector
+  CanvasPoint labelCenter;
   bool isEngaged = false;  ///< drawn closed
-  friend bool operator==(const CouplingPlace&, const CouplingPlace&) = default;
+  friend bool operator==(const ShiftElementPlace&, const ShiftElementPlace&) = default;
 };
 
 /// A note on the sheet, split into lines.
 struct NotePlace {
   NoteId note;
   std::vector<std::string> lines;
-  SheetPoint center;
+  CanvasPoint center;
   friend bool operator==(const NotePlace&, const NotePlace&) = default;
 };
 
@@ -88,7 +88,7 @@ struct NotePlace {
 struct DigraphGeometry {
   std::vector<NodePlace> nodes;  ///< of the links that have a position, in the document's order
   std::vector<EdgePlace> edges;  ///< between those, turning joints first
-  std::vector<CouplingPlace> couplings;
+  std::vector<ShiftElementPlace> couplings;
   std::vector<NotePlace> notes;  ///< placed by the user: nothing else keeps clear of them
 
   [[nodiscard]] const NodePlace* node(LinkId link) const;
@@ -106,11 +106,11 @@ struct DigraphGeometry {
 [[nodiscard]] DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions,
                                               const DigraphGeometry& former);
 
-[[nodiscard]] Extent badgeExtent(SheetPoint center);
-[[nodiscard]] Extent edgeLabelExtent(SheetPoint center, int label);
+[[nodiscard]] Extent badgeExtent(CanvasPoint center);
+[[nodiscard]] Extent edgeLabelExtent(CanvasPoint center, int label);
 /// Half of a "motor" badge.
 constexpr double kBadgeHalfWidth = 20;
 constexpr double kBadgeHalfHeight = 9;
 constexpr double kBadgeTextSize = 10;
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr std::array<std::string_view, 10> kRoleNames{"halo",  "line", "arrowhead", "walk",  "node",
@@ -24,7 +24,7 @@ std::string number(double value) {
   return out == "-0.0" ? "0.0" : out;
 }
 
-std::string pair(SheetPoint p) {
+std::string pair(CanvasPoint p) {
   return number(p.x) + "," + number(p.y);
 }
 
@@ -38,7 +38,7 @@ struct ShapeText {
   }
   std::string operator()(const Polyline& line) const {
     std::string text = line.closed ? "polygon" : "polyline";
-    for (const SheetPoint p : line.points) text += " " + pair(p);
+    for (const CanvasPoint p : line.points) text += " " + pair(p);
     return text;
   }
   std::string operator()(const Curve& curve) const {
@@ -83,7 +83,7 @@ Extent extentOf(const Shape& shape) {
     Extent operator()(const Box& box) const { return box.extent; }
     Extent operator()(const Polyline& line) const {
       Extent box{line.points.front(), 0, 0};
-      for (const SheetPoint p : line.points) box = box.united({p, 0, 0});
+      for (const CanvasPoint p : line.points) box = box.united({p, 0, 0});
       return box;
     }
     Extent operator()(const Curve& curve) const { return curve.extent(); }
@@ -123,4 +123,4 @@ std::string textOf(const DisplayList& list) {
   return text;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -8,13 +8,13 @@
 #include "core/presentation/drawing/palette.h"
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The purpose of a mark.
 enum class MarkRole { halo, line, arrowhead, walk, node, label, name, hatching, input, preview };
 
 struct Circle {
-  SheetPoint center;
+  CanvasPoint center;
   double radius = 0;
   friend bool operator==(const Circle&, const Circle&) = default;
 };
@@ -25,7 +25,7 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 struct Polyline {
-  std::vector<SheetPoint> points;
+  std::vector<CanvasPoint> points;
   bool closed = false;
   friend bool operator==(const Polyline&, const Polyline&) = default;
 };
@@ -49,7 +49,7 @@ struct Fill {
 /// One line of text, centred on a point: horizontally, and vertically by the middle of digits and capitals.
 struct Text {
   std::string text;
-  SheetPoint center;
+  CanvasPoint center;
   double size = 12;  ///< px of the em
   bool bold = false;
   Tint tint;
@@ -95,4 +95,4 @@ struct DisplayList {
 /// One line per mark and per outline, numbers to a tenth, for golden tests.
 [[nodiscard]] std::string textOf(const DisplayList& list);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

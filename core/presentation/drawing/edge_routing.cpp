@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/digraph_geometry.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kGapToRim = 2;          ///< between a ring and an arrow's end
@@ -23,7 +23,7 @@ constexpr double kTrimRadius = kNodeRadius + kRingWidth / 2 + kGapToRim;
 
 /// The parameter where the curve leaves the circle of kTrimRadius around `center` for good, sought from the
 /// end where it is inside (at parameter `inside`) towards the other.
-double crossing(const Curve& curve, SheetPoint center, double inside, double outside) {
+double crossing(const Curve& curve, CanvasPoint center, double inside, double outside) {
   for (int i = 0; i < 24; ++i) {
     const double middle = (inside + outside) / 2;
     (distance(curve.at(middle), center) < kTrimRadius ? inside : outside) = middle;
@@ -49,7 +49,7 @@ std::vector<double> parallelHeights(const Digraph& graph) {
 }
 
 /// Long arrows may go farther round, but not without end.
-double detourStep(SheetPoint from, SheetPoint to) {
+double detourStep(CanvasPoint from, CanvasPoint to) {
   return std::clamp(0.02 * distance(from, to), kDetourStep, kMaxDetourStep);
 }
 
@@ -62,7 +62,7 @@ constexpr std::array<Pull, 8> kPulls{
     {{1, 1}, {-1, -1}, {1.8, 0}, {0, 1.8}, {-1.8, 0}, {0, -1.8}, {2.6, -2.6}, {-2.6, 2.6}}};
 
 /// The least bent course that passes all other nodes; where there is none, the one that meets the fewest.
-Course detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& nodes,
+Course detour(CanvasPoint from, CanvasPoint to, double height, const ObstacleGrid& nodes,
               const DigraphEdge& edge, int mostSteps) {
   Curve best = Curve::pulled(from, to, height, height);
   int fewest = nodes.circlesHit(best, kGapToOtherNode, edge.tail, edge.head, kMaxHits);
@@ -115,7 +115,7 @@ Courses routedEdges(std::span<const DigraphEdge> edges, const std::vector<double
 }
 
 Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
-                      const std::vector<SheetPoint>& moved, const Courses& former) {
+                      const std::vector<CanvasPoint>& moved, const Courses& former) {
   const bool fewMoved = moved.size() <= kFewMoved;
   const int mostSteps = static_cast<std::size_t>(graph.edgeCount()) > kCrowd ? kDetoursInACrowd : kDetours;
   const std::vector<double> heights = parallelHeights(graph);
@@ -126,7 +126,7 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
     const auto& to = centers[static_cast<std::size_t>(edge.head)];
     if (!from || !to) continue;
     // No course that was looked at lies farther from the straight line than this.
-    const auto concerns = [&](SheetPoint place) {
+    const auto concerns = [&](CanvasPoint place) {
       const double aside = kMaxAside * former[e]->looked * detourStep(*from, *to);
       const double reach = std::abs(heights[e]) + aside + kGapToOtherNode + 2 * kNodeRadius;
       return distanceToSegment(place, *from, *to) <= reach;
@@ -141,4 +141,4 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
   return courses;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

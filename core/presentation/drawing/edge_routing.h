@@ -7,9 +7,9 @@
 #include "core/mechanism/graph/digraph.h"
 #include "core/presentation/drawing/obstacle_grid.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
-using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordinal
+using Centers = std::vector<std::optional<CanvasPoint>>;  ///< of nodes, by ordinal
 
 /// An arrow's course, from rim to rim, and how large a detour was searched until it was found.
 struct Course {
@@ -32,11 +32,11 @@ using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; 
 /// `moved` the old and new places of nodes that have moved since. A course is reused where none of these can
 /// affect it.
 [[nodiscard]] Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
-                                    const std::vector<SheetPoint>& moved, const Courses& former);
+                                    const std::vector<CanvasPoint>& moved, const Courses& former);
 
 /// The part of a curve between two node centres that is outside their rims.
 [[nodiscard]] Curve trimmedAtRims(const Curve& curve);
 /// The part outside the rim of the node where it begins.
 [[nodiscard]] Curve trimmedAtStart(const Curve& curve);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

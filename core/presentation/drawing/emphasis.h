@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// How an element is highlighted.
 struct Emphasis {
@@ -34,4 +34,4 @@ constexpr int kNodeDepth = 30;
 constexpr int kBadgeDepth = 40;
 constexpr int kPreviewDepth = 50;
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

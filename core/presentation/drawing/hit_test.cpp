@@ -3,12 +3,12 @@
 #include <limits>
 #include <unordered_set>
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 /// How far a point is from a shape, 0 inside.
 struct DistanceTo {
-  SheetPoint point;
+  CanvasPoint point;
 
   double operator()(const Circle& circle) const {
     return std::max(distance(point, circle.center) - circle.radius, 0.0);
@@ -32,7 +32,7 @@ struct DistanceTo {
 
 }  // namespace
 
-std::optional<ElementId> elementAt(const std::vector<Outline>& outlines, SheetPoint point, double reach) {
+std::optional<ElementId> elementAt(const std::vector<Outline>& outlines, CanvasPoint point, double reach) {
   const Outline* best = nullptr;
   double nearest = 0;
   for (const Outline& outline : outlines) {
@@ -60,4 +60,4 @@ std::vector<ElementId> elementsInside(const std::vector<Outline>& outlines, cons
   return inside;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/digraph_geometry.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kLabelGap = 2.5;  ///< that a label keeps from everything
@@ -13,7 +13,7 @@ constexpr double kRim = kNodeRadius + kRingWidth / 2;
 
 /// The box beside the curve at t, on the left (+1) or right (-1) side, `gap` away from the tangent.
 Extent beside(const Curve& curve, double t, int side, double gap, double halfWidth, double halfHeight) {
-  const SheetPoint out = -1.0 * side * turned(curve.direction(t));
+  const CanvasPoint out = -1.0 * side * turned(curve.direction(t));
   const double support = halfWidth * std::abs(out.x) + halfHeight * std::abs(out.y);
   return {curve.at(t) + (support + gap) * out, halfWidth, halfHeight};
 }
@@ -39,7 +39,7 @@ int roominess(const Extent& box, const ObstacleGrid& taken) {
 LabelPlace placeBeside(const Curve& curve, double halfWidth, double halfHeight, const ObstacleGrid& taken) {
   for (const double gap : kDistances) {
     for (const double t : kPlaces) {
-      std::optional<SheetPoint> best;
+      std::optional<CanvasPoint> best;
       int most = -1;
       for (const int side : {1, -1}) {
         const Extent box = beside(curve, t, side, gap, halfWidth, halfHeight);
@@ -73,60 +73,60 @@ bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight, cons
   return former.crowded;
 }
 
-LabelPlace placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {
-  constexpr std::array<SheetPoint, 34> kOffsets{{{-34, -22},
-                                                 {34, -22},
-                                                 {-34, 22},
-                                                 {34, 22},
-                                                 {0, -33},
-                                                 {0, 33},
-                                                 {-44, 0},
-                                                 {44, 0},
-                                                 // Between these, where arrows take all of them.
-                                                 {-42, -11},
-                                                 {42, -11},
-                                                 {-42, 11},
-                                                 {42, 11},
-                                                 {-18, -31},
-                                                 {18, -31},
-                                                 {-18, 31},
-                                                 {18, 31},
-                                                 // And farther out, where arrows bend round the node.
-                                                 {-40, -32},
-                                                 {40, -32},
-                                                 {-40, 32},
-                                                 {40, 32},
-                                                 {-50, -14},
-                                                 {50, -14},
-                                                 {-50, 14},
-                                                 {50, 14},
-                                                 // Beyond the heads of many arrows, as a last resort.
-                                                 {-30, -46},
-                                                 {30, -46},
-                                                 {-30, 46},
-                                                 {30, 46},
-                                                 {-56, -30},
-                                                 {56, -30},
-                                                 {-56, 30},
-                                                 {56, 30},
-                                                 {0, -46},
-                                                 {0, 46}}};
-  for (const SheetPoint offset : kOffsets) {
+LabelPlace placeAtCorner(CanvasPoint center, int node, const ObstacleGrid& taken) {
+  constexpr std::array<CanvasPoint, 34> kOffsets{{{-34, -22},
+                                                  {34, -22},
+                                                  {-34, 22},
+                                                  {34, 22},
+                                                  {0, -33},
+                                                  {0, 33},
+                                                  {-44, 0},
+                                                  {44, 0},
+                                                  // Between these, where arrows take all of them.
+                                                  {-42, -11},
+                                                  {42, -11},
+                                                  {-42, 11},
+                                                  {42, 11},
+                                                  {-18, -31},
+                                                  {18, -31},
+                                                  {-18, 31},
+                                                  {18, 31},
+                                                  // And farther out, where arrows bend round the node.
+                                                  {-40, -32},
+                                                  {40, -32},
+                                                  {-40, 32},
+                                                  {40, 32},
+                                                  {-50, -14},
+                                                  {50, -14},
+                                                  {-50, 14},
+                                                  {50, 14},
+                                                  // Beyond the heads of many arrows, as a last resort.
+                                                  {-30, -46},
+                                                  {30, -46},
+                                                  {-30, 46},
+                                                  {30, 46},
+                                                  {-56, -30},
+                                                  {56, -30},
+                                                  {-56, 30},
+                                                  {56, 30},
+                                                  {0, -46},
+                                                  {0, 46}}};
+  for (const CanvasPoint offset : kOffsets) {
     if (!taken.touches(badgeExtent(center + offset), kLabelGap, node)) return {center + offset, false};
   }
   return {center + kOffsets.front(), true};
 }
 
-std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,
-                                      const ObstacleGrid& taken) {
+std::optional<CanvasPoint> placeAround(CanvasPoint center, double halfWidth, double halfHeight,
+                                       const ObstacleGrid& taken) {
   const double beyond = kRim + 3 + halfHeight;
   const double aside = kRim + 4 + halfWidth;
-  for (const SheetPoint offset :
-       {SheetPoint{0, beyond}, SheetPoint{0, -beyond}, SheetPoint{aside, 0}, SheetPoint{-aside, 0}}) {
+  for (const CanvasPoint offset :
+       {CanvasPoint{0, beyond}, CanvasPoint{0, -beyond}, CanvasPoint{aside, 0}, CanvasPoint{-aside, 0}}) {
     const Extent box{center + offset, halfWidth, halfHeight};
     if (!taken.touches(box, kLabelGap)) return box.center;
   }
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -4,11 +4,11 @@
 
 #include "core/presentation/drawing/obstacle_grid.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// A label's place, and whether it touches something because there was no free place.
 struct LabelPlace {
-  SheetPoint center;
+  CanvasPoint center;
   bool crowded = false;
 };
 
@@ -23,10 +23,10 @@ struct LabelPlace {
                                  const LabelPlace& former, const ObstacleGrid& changed);
 
 /// A place for a badge at a node: a free corner, the upper left one first, or a place farther out.
-[[nodiscard]] LabelPlace placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken);
+[[nodiscard]] LabelPlace placeAtCorner(CanvasPoint center, int node, const ObstacleGrid& taken);
 
 /// A place for a name under, above or beside a node; std::nullopt if there is no room.
-[[nodiscard]] std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,
-                                                    const ObstacleGrid& taken);
+[[nodiscard]] std::optional<CanvasPoint> placeAround(CanvasPoint center, double halfWidth, double halfHeight,
+                                                     const ObstacleGrid& taken);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/mechanism/graph/digraph.h"
 #include "core/presentation/drawing/tidy_tree.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kColumn = 170;       ///< between a link and the one it carries
@@ -19,9 +19,9 @@ constexpr double kGrid = 10;
 constexpr double kNodesApart = 75;  ///< centres, at least
 constexpr double kClosest = 80;     ///< columns and rows, of drawings that fill the sheet
 
-using Places = std::vector<SheetPoint>;
+using Places = std::vector<CanvasPoint>;
 
-SheetPoint onGrid(SheetPoint p) {
+CanvasPoint onGrid(CanvasPoint p) {
   return {std::round(p.x / kGrid) * kGrid, std::round(p.y / kGrid) * kGrid};
 }
 
@@ -110,7 +110,7 @@ class Graphviz {
     return m_laidOut;
   }
   /// In inches between neighbouring columns and rows, both 2 with the settings above; y up.
-  [[nodiscard]] SheetPoint place(int node) const {
+  [[nodiscard]] CanvasPoint place(int node) const {
     const pointf at = ND_coord(m_nodes[static_cast<std::size_t>(node)]);
     return {at.x / 72, at.y / 72};
   }
@@ -202,9 +202,9 @@ Places placesOf(const Digraph& graph) {
   addEdges(graphviz, graph);
   if (!graphviz.layout()) return asTree(graph);
   Places places;
-  const SheetPoint ground = graphviz.place(0);
+  const CanvasPoint ground = graphviz.place(0);
   for (int v = 0; v < graph.nodeCount(); ++v) {
-    const SheetPoint at = graphviz.place(v);
+    const CanvasPoint at = graphviz.place(v);
     places.push_back(onGrid({(at.x - ground.x) * kColumn / 2, (ground.y - at.y) * kRow / 2}));
   }
   return places;
@@ -213,14 +213,14 @@ Places placesOf(const Digraph& graph) {
 /// Nodes that are placed, in cells of kNodesApart.
 class OccupiedCells {
  public:
-  void add(SheetPoint p) { m_cells[cell(p)].push_back(p); }
-  [[nodiscard]] bool hasRoom(SheetPoint p) const {
+  void add(CanvasPoint p) { m_cells[cell(p)].push_back(p); }
+  [[nodiscard]] bool hasRoom(CanvasPoint p) const {
     const auto [column, row] = cell(p);
     for (std::int64_t c = column - 1; c <= column + 1; ++c) {
       for (std::int64_t r = row - 1; r <= row + 1; ++r) {
         const auto found = m_cells.find({c, r});
         if (found == m_cells.end()) continue;
-        for (const SheetPoint other : found->second) {
+        for (const CanvasPoint other : found->second) {
           if (distance(p, other) < kNodesApart) return false;
         }
       }
@@ -228,23 +228,23 @@ class OccupiedCells {
     return true;
   }
   /// The place itself, or the nearest on a spiral around it that has room.
-  [[nodiscard]] SheetPoint roomNear(SheetPoint wanted) const {
+  [[nodiscard]] CanvasPoint roomNear(CanvasPoint wanted) const {
     constexpr double kGoldenAngle = 2.399963229728653;
     for (int i = 0;; ++i) {
       const double radius = kNodesApart / 2 * std::sqrt(i);
-      const SheetPoint tried =
-          onGrid(wanted + radius * SheetPoint{std::cos(i * kGoldenAngle), std::sin(i * kGoldenAngle)});
+      const CanvasPoint tried =
+          onGrid(wanted + radius * CanvasPoint{std::cos(i * kGoldenAngle), std::sin(i * kGoldenAngle)});
       if (hasRoom(tried)) return tried;
     }
   }
 
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
-  static Cell cell(SheetPoint p) {
+  static Cell cell(CanvasPoint p) {
     return {static_cast<std::int64_t>(std::floor(p.x / kNodesApart)),
             static_cast<std::int64_t>(std::floor(p.y / kNodesApart))};
   }
-  std::map<Cell, std::vector<SheetPoint>> m_cells;
+  std::map<Cell, std::vector<CanvasPoint>> m_cells;
 };
 
 }  // namespace
@@ -278,12 +278,13 @@ NodePositions completedPositions(const Mechanism& mechanism) {
     if (positions.contains(link)) continue;
     // A link that nothing ties to the placed ones goes where it lies seen from the first of those.
     const int anchor = from < 0 ? placed.front() : from;
-    const SheetPoint offset = ideal[static_cast<std::size_t>(node)] - ideal[static_cast<std::size_t>(anchor)];
-    const SheetPoint place = occupied.roomNear(onSheet(positions.at(graph.nodeId(anchor))) + offset);
+    const CanvasPoint offset =
+        ideal[static_cast<std::size_t>(node)] - ideal[static_cast<std::size_t>(anchor)];
+    const CanvasPoint place = occupied.roomNear(onSheet(positions.at(graph.nodeId(anchor))) + offset);
     positions[link] = place;
     occupied.add(place);
   }
   return positions;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

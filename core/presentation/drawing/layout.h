@@ -2,7 +2,7 @@
 
 #include "core/presentation/drawing/digraph_geometry.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// Computes a new layout of the whole digraph: the ground on the left, every link to the right of the one
 /// that carries it. Up to 300 links by Graphviz, which minimises crossings heuristically; larger drawings,
@@ -17,4 +17,4 @@ namespace geargraph::inline drawing {
 /// layoutOf(), away from all other nodes. A document without any positions is laid out as a whole.
 [[nodiscard]] NodePositions completedPositions(const Mechanism& mechanism);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

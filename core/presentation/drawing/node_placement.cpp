@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/label_placement.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kMargin = 80;
@@ -54,9 +54,9 @@ std::map<int, JointId> drivenLinks(const Mechanism& mechanism, const Digraph& gr
 /// Does an arrow run through the hatching, looked at in small pieces, because a tilted one fills no box?
 bool isCrossed(const NodePlace& ground, const ObstacleGrid& arrows) {
   constexpr double kPiece = 4;
-  const SheetPoint out = *ground.groundSide;
+  const CanvasPoint out = *ground.groundSide;
   for (double across = -ground.groundHalfWidth; across <= ground.groundHalfWidth; across += kPiece) {
-    const SheetPoint at = ground.center + (kGroundDistance + kHatchDepth / 2) * out + across * turned(out);
+    const CanvasPoint at = ground.center + (kGroundDistance + kHatchDepth / 2) * out + across * turned(out);
     if (arrows.touches({at, kPiece, kPiece}, 1, ground.label)) return true;
   }
   return false;
@@ -65,8 +65,8 @@ bool isCrossed(const NodePlace& ground, const ObstacleGrid& arrows) {
 /// Hangs the hatching where no arrow leaves: below if possible, or on another side; where arrows leave on all
 /// of them, a shorter one between two arrows.
 void placeHatching(NodePlace& ground, const ObstacleGrid& arrows) {
-  constexpr std::array<SheetPoint, 4> kSides{{{0, 1}, {-1, 0}, {1, 0}, {0, -1}}};
-  for (const SheetPoint side : kSides) {
+  constexpr std::array<CanvasPoint, 4> kSides{{{0, 1}, {-1, 0}, {1, 0}, {0, -1}}};
+  for (const CanvasPoint side : kSides) {
     ground.groundSide = side;
     if (!arrows.touches(hatchingExtent(ground), 2, ground.label)) return;
   }
@@ -76,7 +76,7 @@ void placeHatching(NodePlace& ground, const ObstacleGrid& arrows) {
       const int aside = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // from below to both sides
       const double angle = std::numbers::pi / 2 + 2 * std::numbers::pi * aside / kTurns;
       ground.groundHalfWidth = half;
-      ground.groundSide = SheetPoint{std::cos(angle), std::sin(angle)};
+      ground.groundSide = CanvasPoint{std::cos(angle), std::sin(angle)};
       if (!isCrossed(ground, arrows)) return;
     }
   }
@@ -114,8 +114,8 @@ ObstacleGrid gridWithNodes(const Centers& centers) {
 }
 
 Extent hatchingExtent(const NodePlace& ground) {
-  const SheetPoint out = *ground.groundSide;
-  const SheetPoint middle = ground.center + (kGroundDistance + kHatchDepth / 2) * out;
+  const CanvasPoint out = *ground.groundSide;
+  const CanvasPoint middle = ground.center + (kGroundDistance + kHatchDepth / 2) * out;
   const double across = ground.groundHalfWidth;
   const auto half = [&](double outward, double aside) {
     return std::abs(outward) * kHatchDepth + std::abs(aside) * across;
@@ -130,7 +130,7 @@ void placeNames(std::vector<NodePlace>& nodes, const Mechanism& mechanism, Obsta
     const std::string shown = elided(name, kNameCharacters);
     const double halfWidth = textWidth(shown, kNameSize, false) / 2;
     const double halfHeight = kNameSize * 0.55;
-    const std::optional<SheetPoint> place = placeAround(node.center, halfWidth, halfHeight, taken);
+    const std::optional<CanvasPoint> place = placeAround(node.center, halfWidth, halfHeight, taken);
     if (!place) continue;
     node.name = shown;
     node.nameCenter = *place;
@@ -168,4 +168,4 @@ std::vector<NodePlace> placedNodes(const Mechanism& mechanism, const Digraph& gr
   return nodes;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/edge_routing.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 // The nodes of drawings in which links are discs, for the digraph and the T-T graph.
 
@@ -25,4 +25,4 @@ void placeNames(std::vector<NodePlace>& nodes, const Mechanism& mechanism, Obsta
 
 [[nodiscard]] Extent hatchingExtent(const NodePlace& ground);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/presentation/drawing/arrow_marks.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kNoteWidth = 260;  ///< px of the longest line
@@ -78,10 +78,10 @@ std::vector<std::string> noteLines(std::string_view text) {
   }
 }
 
-std::vector<NotePlace> placedNotes(const std::vector<SheetNote>& notes) {
+std::vector<NotePlace> placedNotes(const std::vector<CanvasNote>& notes) {
   std::vector<NotePlace> places;
   places.reserve(notes.size());
-  for (const SheetNote& note : notes) places.push_back({note.id, noteLines(note.text), onSheet(note.at)});
+  for (const CanvasNote& note : notes) places.push_back({note.id, noteLines(note.text), onSheet(note.at)});
   return places;
 }
 
@@ -115,4 +115,4 @@ DisplayList noteDrawing(const NotePlace& place, const Emphasis& emphasis) {
   return list;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

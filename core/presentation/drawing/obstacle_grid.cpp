@@ -1,6 +1,6 @@
 #include "core/presentation/drawing/obstacle_grid.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kSmallestCell = 48;
@@ -37,7 +37,7 @@ void ObstacleGrid::enter(int obstacle, const Extent& extent) {
   }
 }
 
-void ObstacleGrid::addCircle(SheetPoint center, double radius, int owner) {
+void ObstacleGrid::addCircle(CanvasPoint center, double radius, int owner) {
   m_obstacles.push_back({Kind::circle, owner, center, {radius, 0}});
   enter(static_cast<int>(m_obstacles.size()) - 1, {center, radius, radius});
 }
@@ -48,10 +48,10 @@ void ObstacleGrid::addBox(const Extent& box) {
 }
 
 void ObstacleGrid::addCurve(const Curve& curve) {
-  forEachChord(curve, [this](SheetPoint from, SheetPoint to) { addSegment(from, to); });
+  forEachChord(curve, [this](CanvasPoint from, CanvasPoint to) { addSegment(from, to); });
 }
 
-void ObstacleGrid::addSegment(SheetPoint from, SheetPoint to) {
+void ObstacleGrid::addSegment(CanvasPoint from, CanvasPoint to) {
   if (from.x > to.x) std::swap(from, to);
   const int index = static_cast<int>(m_obstacles.size());
   m_obstacles.push_back({Kind::segment, -1, from, to});
@@ -61,8 +61,8 @@ void ObstacleGrid::addSegment(SheetPoint from, SheetPoint to) {
     // The piece of the segment in this column of cells.
     const double left = std::max(from.x, m_origin.x + c * m_cell);
     const double right = c == last ? to.x : std::min(to.x, m_origin.x + (c + 1) * m_cell);
-    const SheetPoint start{left, from.y + slope * (left - from.x)};
-    const SheetPoint end = c == last ? to : SheetPoint{right, from.y + slope * (right - from.x)};
+    const CanvasPoint start{left, from.y + slope * (left - from.x)};
+    const CanvasPoint end = c == last ? to : CanvasPoint{right, from.y + slope * (right - from.x)};
     const int top = row(std::min(start.y, end.y));
     const int bottom = row(std::max(start.y, end.y));
     for (int r = top; r <= bottom; ++r) {
@@ -106,8 +106,8 @@ bool ObstacleGrid::touches(const Extent& box, double gap, int except) const {
 
 int ObstacleGrid::circlesHit(const Curve& curve, double gap, int tail, int head, int enough) const {
   std::vector<int> hit;
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   const auto visit = [&](const Obstacle& circle) {
     const bool counts = circle.kind == Kind::circle && circle.owner != tail && circle.owner != head;
     if (!counts || distanceToSegment(circle.a, from, to) >= circle.b.x + gap) return false;
@@ -115,7 +115,7 @@ int ObstacleGrid::circlesHit(const Curve& curve, double gap, int tail, int head,
     return static_cast<int>(hit.size()) >= enough;
   };
   bool done = false;
-  forEachChord(curve, [&](SheetPoint start, SheetPoint end) {
+  forEachChord(curve, [&](CanvasPoint start, CanvasPoint end) {
     // In pieces of two cells, so that a long slanting line does not look at the whole rectangle it spans.
     const int pieces = 1 + static_cast<int>(distance(start, end) / (2 * m_cell));
     from = start;
@@ -128,4 +128,4 @@ int ObstacleGrid::circlesHit(const Curve& curve, double gap, int tail, int head,
   return static_cast<int>(hit.size());
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The obstacles on a sheet, sorted into square cells, so that testing a place costs the same with ten
 /// obstacles as with thousands.
@@ -13,7 +13,7 @@ class ObstacleGrid {
   /// `area` is where obstacles are expected; obstacles beyond it are put into the outermost cells.
   explicit ObstacleGrid(const Extent& area);
 
-  void addCircle(SheetPoint center, double radius, int owner);  ///< a node; `owner` its ordinal
+  void addCircle(CanvasPoint center, double radius, int owner);  ///< a node; `owner` its ordinal
   void addCurve(const Curve& curve);
   void addBox(const Extent& box);
 
@@ -28,8 +28,8 @@ class ObstacleGrid {
   struct Obstacle {
     Kind kind;
     int owner;
-    SheetPoint a;  ///< centre, or one end
-    SheetPoint b;  ///< (radius, 0), the other end, or half the sides
+    CanvasPoint a;  ///< centre, or one end
+    CanvasPoint b;  ///< (radius, 0), the other end, or half the sides
   };
   struct Entry {
     int obstacle;
@@ -39,11 +39,11 @@ class ObstacleGrid {
   [[nodiscard]] int column(double x) const;
   [[nodiscard]] int row(double y) const;
   void enter(int obstacle, const Extent& extent);
-  void addSegment(SheetPoint from, SheetPoint to);
+  void addSegment(CanvasPoint from, CanvasPoint to);
   template <class Visit>
   bool anyNear(const Extent& extent, Visit visit) const;
 
-  SheetPoint m_origin;
+  CanvasPoint m_origin;
   double m_cell = 1;
   int m_columns = 1;
   int m_rows = 1;
@@ -52,4 +52,4 @@ class ObstacleGrid {
   std::vector<int> m_first;  ///< by cell: the head of its list of entries, or -1
 };
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

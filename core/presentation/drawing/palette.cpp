@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr Color rgb(std::uint32_t hex) {
@@ -118,4 +118,4 @@ std::string nameOf(const Tint& tint) {
   return tint.soft ? "soft " + name : name;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// High contrast is light on black, for low vision and weak projectors.
 enum class Theme { light, dark, highContrast };
@@ -69,4 +69,4 @@ struct Tint {
 /// "accent", "link 3": for golden tests and style classes.
 [[nodiscard]] std::string nameOf(const Tint& tint);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

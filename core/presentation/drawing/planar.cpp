@@ -2,9 +2,9 @@
 
 #include <limits>
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
-bool Extent::meetsSegment(SheetPoint from, SheetPoint to) const {
+bool Extent::meetsSegment(CanvasPoint from, CanvasPoint to) const {
   // Liang and Barsky: the share of the segment that lies between each pair of parallel sides.
   double enter = 0;
   double leave = 1;
@@ -23,16 +23,16 @@ bool Extent::meetsSegment(SheetPoint from, SheetPoint to) const {
 Extent Curve::extent() const {
   Extent box = Extent::spanning(from, to);
   if (isStraight()) return box;
-  forEachChord(*this, [&](SheetPoint, SheetPoint p) { box = box.united(Extent{p, 0, 0}); });
+  forEachChord(*this, [&](CanvasPoint, CanvasPoint p) { box = box.united(Extent{p, 0, 0}); });
   return box;
 }
 
-double distanceToCurve(SheetPoint p, const Curve& curve) {
+double distanceToCurve(CanvasPoint p, const Curve& curve) {
   double nearest = std::numeric_limits<double>::infinity();
-  forEachChord(curve, [&](SheetPoint from, SheetPoint to) {
+  forEachChord(curve, [&](CanvasPoint from, CanvasPoint to) {
     nearest = std::min(nearest, distanceToSegment(p, from, to));
   });
   return nearest;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -5,43 +5,43 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 // Plane geometry of the sheet, x to the right, y down, units px at zoom 1.
 
-inline SheetPoint operator+(SheetPoint a, SheetPoint b) {
+inline CanvasPoint operator+(CanvasPoint a, CanvasPoint b) {
   return {a.x + b.x, a.y + b.y};
 }
-inline SheetPoint operator-(SheetPoint a, SheetPoint b) {
+inline CanvasPoint operator-(CanvasPoint a, CanvasPoint b) {
   return {a.x - b.x, a.y - b.y};
 }
-inline SheetPoint operator*(double factor, SheetPoint p) {
+inline CanvasPoint operator*(double factor, CanvasPoint p) {
   return {factor * p.x, factor * p.y};
 }
-inline double dot(SheetPoint a, SheetPoint b) {
+inline double dot(CanvasPoint a, CanvasPoint b) {
   return a.x * b.x + a.y * b.y;
 }
-inline double length(SheetPoint p) {
+inline double length(CanvasPoint p) {
   return std::sqrt(dot(p, p));  // sheets are far too small for hypot's care, which costs tenfold
 }
-inline double distance(SheetPoint a, SheetPoint b) {
+inline double distance(CanvasPoint a, CanvasPoint b) {
   return length(b - a);
 }
 /// A quarter turn: what points to the right then points down.
-inline SheetPoint turned(SheetPoint p) {
+inline CanvasPoint turned(CanvasPoint p) {
   return {-p.y, p.x};
 }
 /// The unit vector; (1, 0) of the zero vector.
-inline SheetPoint unit(SheetPoint p) {
+inline CanvasPoint unit(CanvasPoint p) {
   const double size = length(p);
-  return size > 0 ? (1 / size) * p : SheetPoint{1, 0};
+  return size > 0 ? (1 / size) * p : CanvasPoint{1, 0};
 }
-inline SheetPoint between(SheetPoint a, SheetPoint b, double share) {
+inline CanvasPoint between(CanvasPoint a, CanvasPoint b, double share) {
   return a + share * (b - a);
 }
 
-inline double distanceToSegment(SheetPoint p, SheetPoint from, SheetPoint to) {
-  const SheetPoint along = to - from;
+inline double distanceToSegment(CanvasPoint p, CanvasPoint from, CanvasPoint to) {
+  const CanvasPoint along = to - from;
   const double square = dot(along, along);
   const double share = square > 0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0;
   return distance(p, from + share * along);
@@ -49,7 +49,7 @@ inline double distanceToSegment(SheetPoint p, SheetPoint from, SheetPoint to) {
 
 /// An upright rectangle by its centre and half its sides.
 struct Extent {
-  SheetPoint center;
+  CanvasPoint center;
   double halfWidth = 0;
   double halfHeight = 0;
 
@@ -58,7 +58,7 @@ struct Extent {
   [[nodiscard]] double right() const { return center.x + halfWidth; }
   [[nodiscard]] double top() const { return center.y - halfHeight; }
   [[nodiscard]] double bottom() const { return center.y + halfHeight; }
-  [[nodiscard]] bool contains(SheetPoint p) const {
+  [[nodiscard]] bool contains(CanvasPoint p) const {
     return std::abs(p.x - center.x) <= halfWidth && std::abs(p.y - center.y) <= halfHeight;
   }
   [[nodiscard]] bool contains(const Extent& inner) const {
@@ -69,14 +69,14 @@ struct Extent {
     return std::abs(center.x - other.center.x) <= halfWidth + other.halfWidth &&
            std::abs(center.y - other.center.y) <= halfHeight + other.halfHeight;
   }
-  [[nodiscard]] bool meetsCircle(SheetPoint middle, double radius) const {
+  [[nodiscard]] bool meetsCircle(CanvasPoint middle, double radius) const {
     const double dx = std::max(std::abs(middle.x - center.x) - halfWidth, 0.0);
     const double dy = std::max(std::abs(middle.y - center.y) - halfHeight, 0.0);
     return dx * dx + dy * dy <= radius * radius;
   }
-  [[nodiscard]] bool meetsSegment(SheetPoint from, SheetPoint to) const;
+  [[nodiscard]] bool meetsSegment(CanvasPoint from, CanvasPoint to) const;
 
-  [[nodiscard]] static Extent spanning(SheetPoint a, SheetPoint b) {
+  [[nodiscard]] static Extent spanning(CanvasPoint a, CanvasPoint b) {
     return {between(a, b, 0.5), std::abs(b.x - a.x) / 2, std::abs(b.y - a.y) / 2};
   }
   [[nodiscard]] Extent united(const Extent& other) const {
@@ -88,31 +88,31 @@ struct Extent {
 
 /// A cubic Bézier curve; a straight line if its control points are at the thirds of it.
 struct Curve {
-  SheetPoint from;
-  SheetPoint leaving;   ///< the control point of the start
-  SheetPoint arriving;  ///< that of the end
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint leaving;   ///< the control point of the start
+  CanvasPoint arriving;  ///< that of the end
+  CanvasPoint to;
 
-  [[nodiscard]] static Curve straight(SheetPoint from, SheetPoint to) {
+  [[nodiscard]] static Curve straight(CanvasPoint from, CanvasPoint to) {
     return {from, between(from, to, 1.0 / 3), between(from, to, 2.0 / 3), to};
   }
   /// From one point to another, displaced to the left of the straight line (seen along it on the sheet) by
   /// `first` and `second` at its thirds. Equal values give an arc whose middle is that far off the line;
   /// opposite ones give an S.
-  [[nodiscard]] static Curve pulled(SheetPoint from, SheetPoint to, double first, double second) {
+  [[nodiscard]] static Curve pulled(CanvasPoint from, CanvasPoint to, double first, double second) {
     constexpr double kToControl = 4.0 / 3;  // a bow's control points lie farther out than its middle
-    const SheetPoint left = (-kToControl) * turned(unit(to - from));
+    const CanvasPoint left = (-kToControl) * turned(unit(to - from));
     return {from, between(from, to, 1.0 / 3) + first * left, between(from, to, 2.0 / 3) + second * left, to};
   }
   [[nodiscard]] bool isStraight() const {
     return distance(leaving, between(from, to, 1.0 / 3)) < 1e-6 &&
            distance(arriving, between(from, to, 2.0 / 3)) < 1e-6;
   }
-  [[nodiscard]] SheetPoint at(double t) const { return blossom(t, t, t); }
+  [[nodiscard]] CanvasPoint at(double t) const { return blossom(t, t, t); }
   /// The direction of travel at t, a unit vector.
-  [[nodiscard]] SheetPoint direction(double t) const {
-    const SheetPoint start = between(leaving - from, arriving - leaving, t);
-    const SheetPoint end = between(arriving - leaving, to - arriving, t);
+  [[nodiscard]] CanvasPoint direction(double t) const {
+    const CanvasPoint start = between(leaving - from, arriving - leaving, t);
+    const CanvasPoint end = between(arriving - leaving, to - arriving, t);
     return unit(between(start, end, t));
   }
   /// The part from parameter t0 to t1.
@@ -124,10 +124,10 @@ struct Curve {
 
  private:
   /// de Casteljau's algorithm with a separate parameter in every step (polar form).
-  [[nodiscard]] SheetPoint blossom(double u, double v, double w) const {
-    const SheetPoint a = between(from, leaving, u);
-    const SheetPoint b = between(leaving, arriving, u);
-    const SheetPoint c = between(arriving, to, u);
+  [[nodiscard]] CanvasPoint blossom(double u, double v, double w) const {
+    const CanvasPoint a = between(from, leaving, u);
+    const CanvasPoint b = between(leaving, arriving, u);
+    const CanvasPoint c = between(arriving, to, u);
     return between(between(a, b, v), between(b, c, v), w);
   }
 };
@@ -139,14 +139,14 @@ constexpr int kCurveChords = 14;
 template <class Visit>
 void forEachChord(const Curve& curve, Visit visit) {
   const int count = curve.isStraight() ? 1 : kCurveChords;
-  SheetPoint last = curve.from;
+  CanvasPoint last = curve.from;
   for (int i = 1; i <= count; ++i) {
-    const SheetPoint next = curve.at(static_cast<double>(i) / count);
+    const CanvasPoint next = curve.at(static_cast<double>(i) / count);
     visit(last, next);
     last = next;
   }
 }
 
-[[nodiscard]] double distanceToCurve(SheetPoint p, const Curve& curve);
+[[nodiscard]] double distanceToCurve(CanvasPoint p, const Curve& curve);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 /// To a hundredth of a pixel, without the zeros behind, whatever the locale. @pre finite
@@ -33,7 +33,7 @@ std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + std::string(value) + "\"";
 }
 
-std::string pair(SheetPoint p) {
+std::string pair(CanvasPoint p) {
   return number(p.x) + " " + number(p.y);
 }
 
@@ -50,7 +50,7 @@ struct ShapeTag {
   }
   std::string operator()(const Polyline& line) const {
     std::string points;
-    for (const SheetPoint p : line.points)
+    for (const CanvasPoint p : line.points)
       points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
     return (line.closed ? "<polygon" : "<polyline") + attribute("points", points);
   }
@@ -137,4 +137,4 @@ std::string svgOf(const DisplayList& list, const SheetStyle& style, std::string_
   return svg + "</g>\n</svg>\n";
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The options of a drawing's sheet.
 struct SheetStyle {
@@ -29,4 +29,4 @@ struct SheetStyle {
 [[nodiscard]] std::string svgOf(const DisplayList& list, const SheetStyle& style,
                                 std::string_view title = {});
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

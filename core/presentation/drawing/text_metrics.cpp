@@ -1,6 +1,6 @@
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 bool startsCharacter(char byte) {
@@ -38,4 +38,4 @@ std::string elided(std::string_view utf8, std::size_t characters) {
   return std::string(utf8);
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The estimated width of a text, px: label placement must not depend on the fonts of a machine, so that a
 /// drawing is the same on screen, in an SVG and in a golden test. The advances are those of DejaVu Sans, one
@@ -13,4 +13,4 @@ namespace geargraph::inline drawing {
 /// The text, shortened to at most `characters` with an ellipsis at the end.
 [[nodiscard]] std::string elided(std::string_view utf8, std::size_t characters);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 /// From where to where a subtree reaches in each of its columns.
@@ -133,4 +133,4 @@ std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const i
   return places;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The place of a node of a drawn forest: its distance from its root, and its row.
 struct TidyPlace {
@@ -22,4 +22,4 @@ struct TidyPlace {
 [[nodiscard]] std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const int> order,
                                                 std::span<const double> sizes = {});
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

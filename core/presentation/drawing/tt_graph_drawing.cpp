@@ -4,7 +4,7 @@
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kTransferRing = 15.5;  ///< radius of the second ring
@@ -78,7 +78,7 @@ DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emph
     const NodePlace& node = geometry.nodes[i];
     list.append(drawingOf(node, geometry.isTransfer[i], emphasisOf(emphases, node.link)));
   }
-  for (const CouplingPlace& coupling : geometry.couplings)
+  for (const ShiftElementPlace& coupling : geometry.couplings)
     list.append(couplingDrawing(coupling, emphasisOf(emphases, coupling.coupling)));
   list.sortByDepth();
   return list;
@@ -109,4 +109,4 @@ DisplayList TtElements::drawing(const TtGraphGeometry& geometry, const ElementId
   return list;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/drawing/tt_graph_geometry.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The colour of the second of two highlighted walks; the first has the accent colour.
 constexpr ColorRole kSecondWalk = ColorRole::negativeInk;
@@ -34,4 +34,4 @@ class TtElements {
   std::unordered_map<ElementId, std::vector<std::size_t>> m_places;  ///< in the list of the element's kind
 };
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

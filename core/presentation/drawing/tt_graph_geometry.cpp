@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/node_placement.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kBesideBranch = 32;  ///< between a branch and an only chord on its side
@@ -26,7 +26,7 @@ std::vector<double> offsets(const std::vector<TtGraphLine>& lines, const Centers
     const auto& a = centers[static_cast<std::size_t>(ends.first)];
     const auto& b = centers[static_cast<std::size_t>(ends.second)];
     if (!a || !b || members.size() == 1) continue;
-    const SheetPoint across = turned(unit(*b - *a));
+    const CanvasPoint across = turned(unit(*b - *a));
     double room = 0;
     for (const std::size_t i : members) {
       const Extent label = ttLabelExtent({}, lines[i].label);
@@ -36,7 +36,7 @@ std::vector<double> offsets(const std::vector<TtGraphLine>& lines, const Centers
     const bool lone = branched && members.size() <= 3;  // its label has room on the outer side
     const double step = lone ? kBesideBranch : 2 * room + kBetweenLines;
     // The first chord beside a branch bows away from the others, to where the lower node stands.
-    const SheetPoint down = a->y <= b->y ? *b - *a : *a - *b;
+    const CanvasPoint down = a->y <= b->y ? *b - *a : *a - *b;
     const double outward = (down.x < 0) == (across.x > 0) ? 1 : -1;
     const double middle = branched ? 0 : (static_cast<double>(members.size()) - 1) / 2;
     for (std::size_t k = 0; k < members.size(); ++k) {
@@ -51,7 +51,7 @@ std::vector<double> offsets(const std::vector<TtGraphLine>& lines, const Centers
 
 }  // namespace
 
-Extent ttLabelExtent(SheetPoint center, const std::string& label) {
+Extent ttLabelExtent(CanvasPoint center, const std::string& label) {
   return {center, textWidth(label, kLabelSize, true) / 2, kLabelSize * 0.45};
 }
 
@@ -94,4 +94,4 @@ TtGraphGeometry ttGraphGeometry(const Mechanism& mechanism, const TtGraph* graph
   return geometry;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/tt_graph_lines.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 constexpr double kChordWidth = 1.3;  ///< the thin lines of the meshes
 
@@ -15,17 +15,17 @@ struct TtLinePlace {
   int from = 0;  ///< ordinals of the links
   int to = 0;
   Curve curve;
-  SheetPoint labelCenter;
+  CanvasPoint labelCenter;
   bool labelCrowded = false;  ///< no place was free for it
   friend bool operator==(const TtLinePlace&, const TtLinePlace&) = default;
 };
 
 /// The geometry of a drawing of the T-T graph.
 struct TtGraphGeometry {
-  std::vector<NodePlace> nodes;          ///< in the document's order
-  ByLink<bool> isTransfer;               ///< the carrier arm of some mesh
-  std::vector<TtLinePlace> lines;        ///< branches first
-  std::vector<CouplingPlace> couplings;  ///< not part of the graph: additional equations
+  std::vector<NodePlace> nodes;              ///< in the document's order
+  ByLink<bool> isTransfer;                   ///< the carrier arm of some mesh
+  std::vector<TtLinePlace> lines;            ///< branches first
+  std::vector<ShiftElementPlace> couplings;  ///< not part of the graph: additional equations
 };
 
 /// Places lines and labels for given nodes: branches straight, chords beside them, both bent around nodes
@@ -38,6 +38,6 @@ struct TtGraphGeometry {
 [[nodiscard]] TtGraphGeometry ttGraphGeometry(const Mechanism& mechanism, const TtGraph* graph,
                                               const NodePositions& positions);
 
-[[nodiscard]] Extent ttLabelExtent(SheetPoint center, const std::string& label);
+[[nodiscard]] Extent ttLabelExtent(CanvasPoint center, const std::string& label);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/tidy_tree.h"
 #include "core/presentation/drawing/tt_graph_geometry.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 constexpr double kRank = 130;        ///< between a link and those it carries, at least
@@ -159,12 +159,12 @@ std::vector<double> slots(const Forest& forest, const std::vector<TtGraphLine>& 
   return widths;
 }
 
-SheetPoint onGrid(SheetPoint p) {
+CanvasPoint onGrid(CanvasPoint p) {
   return {std::round(p.x / kGrid) * kGrid, std::round(p.y / kGrid) * kGrid};
 }
 
 /// Ranks below each other, the farther the wider their links are spread under their parents.
-void dropRanks(const Forest& forest, std::vector<SheetPoint>& places) {
+void dropRanks(const Forest& forest, std::vector<CanvasPoint>& places) {
   std::vector<std::size_t> rank(places.size(), 0);
   std::vector<double> drop{0};
   for (const int node : forest.order) {
@@ -205,13 +205,13 @@ std::vector<double> withSubtrees(const Forest& forest, std::vector<double> slots
 
 /// Places by node: subtrees side by side as close as their slots allow, a parent over the middle of its
 /// children.
-std::vector<SheetPoint> hung(const Forest& forest, const std::vector<double>& slots) {
-  std::vector<SheetPoint> places;
+std::vector<CanvasPoint> hung(const Forest& forest, const std::vector<double>& slots) {
+  std::vector<CanvasPoint> places;
   for (const TidyPlace& place : tidyForest(forest.parent, drawnOrder(forest), slots))
     places.push_back({place.row, 0});
   dropRanks(forest, places);
-  const SheetPoint ground = places.front();
-  for (SheetPoint& place : places) place = onGrid(place - ground);
+  const CanvasPoint ground = places.front();
+  for (CanvasPoint& place : places) place = onGrid(place - ground);
   return places;
 }
 
@@ -234,15 +234,16 @@ bool isClear(const TtGraphGeometry& geometry) {
 }
 
 /// The place itself, or the nearest on a spiral around it that is away from all of `others`.
-SheetPoint roomNear(SheetPoint wanted, const std::vector<SheetPoint>& others) {
+CanvasPoint roomNear(CanvasPoint wanted, const std::vector<CanvasPoint>& others) {
   constexpr double kGoldenAngle = 2.399963229728653;
   for (int i = 0;; ++i) {
     const double radius = kNodesApart / 2 * std::sqrt(i);
-    const SheetPoint tried =
-        i == 0 ? wanted
-               : onGrid(wanted + radius * SheetPoint{std::cos(i * kGoldenAngle), std::sin(i * kGoldenAngle)});
+    const CanvasPoint tried =
+        i == 0
+            ? wanted
+            : onGrid(wanted + radius * CanvasPoint{std::cos(i * kGoldenAngle), std::sin(i * kGoldenAngle)});
     const bool free = std::all_of(others.begin(), others.end(),
-                                  [&](SheetPoint other) { return distance(tried, other) >= kNodesApart; });
+                                  [&](CanvasPoint other) { return distance(tried, other) >= kNodesApart; });
     if (free) return tried;
   }
 }
@@ -255,10 +256,10 @@ NodePositions ttLayout(const Mechanism& mechanism, const TtGraph* graph) {
   Forest forest = forestOf(digraph);
   orderChildren(forest, lines);
   const std::vector<double> own = slots(forest, lines);
-  const std::vector<SheetPoint> close = hung(forest, own);
-  const std::vector<SheetPoint> roomy = hung(forest, withSubtrees(forest, own));
+  const std::vector<CanvasPoint> close = hung(forest, own);
+  const std::vector<CanvasPoint> roomy = hung(forest, withSubtrees(forest, own));
   NodePositions positions;
-  const auto put = [&](const std::vector<SheetPoint>& places, double stretch, bool wantsClear) {
+  const auto put = [&](const std::vector<CanvasPoint>& places, double stretch, bool wantsClear) {
     for (int v = 0; v < digraph.nodeCount(); ++v) {
       positions[digraph.nodeId(v)] = onGrid(stretch * places[static_cast<std::size_t>(v)]);
     }
@@ -276,7 +277,7 @@ NodePositions ttLayout(const Mechanism& mechanism, const TtGraph* graph) {
 }
 
 NodePositions ttPositions(NodePositions layout, const NodePositions& chosen) {
-  std::vector<SheetPoint> standing;
+  std::vector<CanvasPoint> standing;
   for (const auto& [link, place] : chosen) {
     const auto found = layout.find(link);
     if (found == layout.end()) continue;
@@ -286,7 +287,7 @@ NodePositions ttPositions(NodePositions layout, const NodePositions& chosen) {
   if (standing.empty()) return layout;
   for (auto& [link, place] : layout) {
     if (chosen.contains(link)) continue;
-    const SheetPoint room = roomNear(place, standing);
+    const CanvasPoint room = roomNear(place, standing);
     if (room == place) continue;
     place = room;
     standing.push_back(room);
@@ -294,4 +295,4 @@ NodePositions ttPositions(NodePositions layout, const NodePositions& chosen) {
   return layout;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

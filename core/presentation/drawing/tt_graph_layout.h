@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// With more lines ttLayout() does not check whether labels find room.
 constexpr std::size_t kMaxLinesChecked = 200;
@@ -21,4 +21,4 @@ constexpr std::size_t kMaxLinesChecked = 200;
 /// The places `chosen` by the user, and those of `layout` for the other nodes, moved aside from chosen ones.
 [[nodiscard]] NodePositions ttPositions(NodePositions layout, const NodePositions& chosen);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/presentation/drawing/tt_graph_lines.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 namespace {
 
 /// The paper's primes; beyond four they are counted.
@@ -39,4 +39,4 @@ std::vector<TtGraphLine> ttGraphLines(const Mechanism& mechanism, const Digraph&
   return lines;
 }
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

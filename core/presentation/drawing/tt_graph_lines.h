@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline drawing {
+namespace geargraph {
 
 /// The meaning of a line of the T-T graph.
 enum class TtLine {
@@ -32,4 +32,4 @@ struct TtGraphLine {
 [[nodiscard]] std::vector<TtGraphLine> ttGraphLines(const Mechanism& mechanism, const Digraph& digraph,
                                                     const TtGraph* graph);
 
-}  // namespace geargraph::inline drawing
+}  // namespace geargraph

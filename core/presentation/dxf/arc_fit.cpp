@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline dxf {
+namespace geargraph {
 namespace {
 
 using Eigen::Vector2d;
@@ -112,4 +112,4 @@ std::vector<ArcVertex> fittedArcs(std::span<const Eigen::Vector2d> points, doubl
   return vertices;
 }
 
-}  // namespace geargraph::inline dxf
+}  // namespace geargraph

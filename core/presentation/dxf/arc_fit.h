@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace geargraph::inline dxf {
+namespace geargraph {
 
 /// A corner of a curve of arcs: `bulge` is that of the piece to the next corner, the tangent of a quarter of
 /// its angle, above 0 where it turns left; 0 for a line.
@@ -22,4 +22,4 @@ struct ArcVertex {
 /// Cost: O(points log points). @pre two different points at least, tolerance > 0
 [[nodiscard]] std::vector<ArcVertex> fittedArcs(std::span<const Eigen::Vector2d> points, double tolerance);
 
-}  // namespace geargraph::inline dxf
+}  // namespace geargraph

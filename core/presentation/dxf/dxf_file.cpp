@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace geargraph::inline dxf {
+namespace geargraph {
 namespace {
 
 std::string decimal(double value) {
@@ -237,4 +237,4 @@ std::string DxfFile::text(int units) const {
          group(5, hexadecimal(tables.next())) + group(0, "ENDSEC") + body;
 }
 
-}  // namespace geargraph::inline dxf
+}  // namespace geargraph

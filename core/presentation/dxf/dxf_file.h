@@ -8,7 +8,7 @@
 
 #include "core/presentation/dxf/arc_fit.h"
 
-namespace geargraph::inline dxf {
+namespace geargraph {
 
 /// A layer: its name, AutoCAD's colour number, and whether its lines are dash-dotted.
 struct DxfLayer {
@@ -51,4 +51,4 @@ class DxfFile {
   bool m_isEmpty = true;
 };
 
-}  // namespace geargraph::inline dxf
+}  // namespace geargraph

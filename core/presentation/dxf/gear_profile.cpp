@@ -7,7 +7,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline dxf {
+namespace geargraph {
 
 bool isDrawnPlane(const GearSpec& spec) {
   return isToothed(spec) && !isConical(spec);
@@ -36,4 +36,4 @@ std::vector<ArcVertex> toothOutline(const GearSpec& spec, double deviation) {
   return outline;
 }
 
-}  // namespace geargraph::inline dxf
+}  // namespace geargraph

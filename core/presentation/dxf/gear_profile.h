@@ -5,7 +5,7 @@
 #include "core/machine/teeth/gear_spec.h"
 #include "core/presentation/dxf/arc_fit.h"
 
-namespace geargraph::inline dxf {
+namespace geargraph {
 
 /// The finest and the usual deviation of profiles, modules.
 constexpr double kFinestDeviation = 1e-5;
@@ -20,4 +20,4 @@ constexpr double kUsualDeviation = 5e-4;
 /// Does the wheel have a transverse section with teeth? Not a bevel, nor one without teeth.
 [[nodiscard]] bool isDrawnPlane(const GearSpec& spec);
 
-}  // namespace geargraph::inline dxf
+}  // namespace geargraph

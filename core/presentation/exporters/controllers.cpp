@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/simulators/controller_coupling.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr ExportRefusal kNoCoupling{
@@ -104,4 +104,4 @@ ExportFamily controllerFamily() {
   return {toTranslate("Controllers"), {}, {}, false, kControllerExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/machine/teeth/wheel_kind.h"
@@ -14,7 +14,7 @@
 #include "core/presentation/exporters/number_options.h"
 #include "core/theory/statics/applied_loads.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr ExportRefusal kNoProfile{"no-profile",
@@ -146,4 +146,4 @@ ExportFamily profileFamily() {
   return {toTranslate("Cutting profiles"), {}, {}, false, kProfileExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

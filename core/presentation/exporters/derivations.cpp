@@ -5,10 +5,10 @@
 #include "core/presentation/exporters/derivation_export.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/exporters/input_options.h"
-#include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/page_layout/report_pdf.h"
 #include "core/presentation/report/report.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 template <ReportForm form>
@@ -88,4 +88,4 @@ ExportResult writeDerivation(ExportContext& context, const OptionValues& given, 
   return ExportOutcome{hasErrors(snapshot->diagnostics)};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,15 +2,15 @@
 
 #include <array>
 
+#include "core/presentation/cairo_output/picture.h"
+#include "core/presentation/export_api/named_drawings.h"
+#include "core/presentation/export_api/solved_statics.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/exporters/view3d_options.h"
-#include "core/presentation/picture/picture.h"
-#include "core/presentation/results/named_drawings.h"
-#include "core/presentation/results/solved_statics.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr ExportRefusal kNoPower{
@@ -163,4 +163,4 @@ ExportFamily drawingFamily() {
   return {toTranslate("Drawings"), toTranslate("drawings"), how, true, kDrawingExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

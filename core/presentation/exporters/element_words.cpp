@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 template <class Elements>
@@ -47,4 +47,4 @@ std::variant<std::vector<JointOrdinal>, UsageError> jointsNamed(const Mechanism&
   return joints;
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

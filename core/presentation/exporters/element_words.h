@@ -8,7 +8,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 // Elements named in options: by their label, or by their id where no label is spelled so.
 
@@ -21,4 +21,4 @@ namespace geargraph::inline exporters {
                                                                               std::string_view option,
                                                                               std::string_view text);
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 std::variant<Mechanism, UsageError> inState(Mechanism mechanism, const std::string& name) {
@@ -22,7 +22,7 @@ std::variant<Mechanism, UsageError> inState(Mechanism mechanism, const std::stri
             ? translated("There is no state \"%1\". The document has no states.", {name})
             : translated("There is no state \"%1\". States: %2.", {name, listed(names, kAllNames)})};
   }
-  std::vector<CouplingId> engaged = found->engaged;
+  std::vector<ShiftElementId> engaged = found->engaged;
   Expected<Mechanism> next = withStateEngaged(mechanism, static_cast<int>(found - mechanism.states.begin()));
   if (next) return *std::move(next);
   mechanism.engaged = std::move(engaged);  // a coupling closes a linkage: the analysis tells which
@@ -30,13 +30,13 @@ std::variant<Mechanism, UsageError> inState(Mechanism mechanism, const std::stri
 }
 
 std::variant<Mechanism, UsageError> withList(Mechanism mechanism, std::string_view list) {
-  std::vector<CouplingId> engaged;
+  std::vector<ShiftElementId> engaged;
   while (list != "none" && !list.empty()) {
     const std::size_t comma = std::min(list.find(','), list.size());
-    const CouplingId id{std::string(list.substr(0, comma))};
+    const ShiftElementId id{std::string(list.substr(0, comma))};
     if (mechanism.find(id) == nullptr) {
       std::vector<std::string> names;
-      for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+      for (const ShiftElement& coupling : mechanism.couplings) names.push_back(coupling.id.text());
       return UsageError{
           names.empty()
               ? translated("There is no coupling \"%1\". The document has no couplings.", {id.text()})
@@ -63,4 +63,4 @@ std::variant<Mechanism, UsageError> withEngagementOptions(Mechanism mechanism, c
   return mechanism;
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,11 +2,11 @@
 
 #include <variant>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// The mechanism with `--state NAME`: this state engaged, with its input at 1 rad/s; `--engage A,B`: these
 /// couplings engaged; `--engage none`: none engaged. Without these options as the document says.
@@ -20,4 +20,4 @@ inline constexpr OptionText kEngageOption{
     toTranslate("with these couplings engaged, \"none\" for no coupling, instead of "
                 "those that the document engages")};
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 std::vector<std::string> wordsOf(const std::string& list, char separator) {
   std::vector<std::string> words;
@@ -64,4 +64,4 @@ std::string exercisesTooLarge() {
                     {std::to_string(kMaxExerciseLinks)});
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/presentation/exporters/option_values.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 // The options of a sheet, common to `exercises make` and `export --to handout --exercises`.
 
@@ -24,4 +24,4 @@ namespace geargraph::inline exporters {
 /// Why no exercises are made of a mechanism of more than kMaxExerciseLinks links, as a sentence.
 [[nodiscard]] std::string exercisesTooLarge();
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

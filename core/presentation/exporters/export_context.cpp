@@ -5,9 +5,9 @@
 
 #include "core/foundations/files/file.h"
 #include "core/presentation/exporters/engagement_options.h"
-#include "core/presentation/train_stage/train_stage.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 std::variant<MechanismPtr, ExportError> ExportContext::document() {
   if (m_document) return m_document;
@@ -137,4 +137,4 @@ ExportError meshErrorOf(const MeshFileError& why) {
   return {ExportError::Kind::file, why.message};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -8,11 +8,11 @@
 #include <variant>
 
 #include "core/foundations/files/byte_sink.h"
+#include "core/presentation/export_api/train_export.h"
 #include "core/presentation/exporters/exporter.h"
-#include "core/presentation/results/train_export.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// What an export has to say besides its result.
 struct ExportNote {
@@ -85,4 +85,4 @@ class ExportContext {
 [[nodiscard]] ExportError streamFailure();
 [[nodiscard]] ExportError meshErrorOf(const MeshFileError& why);
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

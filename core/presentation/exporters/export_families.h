@@ -2,7 +2,7 @@
 
 #include "core/presentation/exporters/exporter.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 // The families of exporters (exporters.h), each in a file of its own.
 
@@ -21,4 +21,4 @@ namespace geargraph::inline exporters {
 [[nodiscard]] ExportFamily controllerFamily();
 [[nodiscard]] ExportFamily graphFamily();
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

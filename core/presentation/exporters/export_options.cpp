@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/presentation/exporters/engagement_options.h"
 #include "core/presentation/exporters/exporters.h"
 #include "core/presentation/exporters/mass_options.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 // Headings in the help; the words that ask for the exporters follow, of these with what they have in common.
@@ -245,4 +245,4 @@ std::string exportOptionTitle(std::string_view name) {
   return std::string(name);
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 class ExportContext;
 
@@ -142,4 +142,4 @@ constexpr ExportOption choiceOption(std::string_view name, std::vector<std::stri
   return {name, OptionType::choice, otherwise, isNeeded, 0, 0, {}, false, choices};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/exporters/export_families.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 template <class Names>
@@ -171,4 +171,4 @@ std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live) {
   return translated("There is no solution, because nothing can move or inputs are missing.");
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

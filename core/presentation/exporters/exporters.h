@@ -9,7 +9,7 @@
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/exporter.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// Every family of exporters, in the order of the help.
 [[nodiscard]] std::span<const ExportFamily> exportFamilies();
@@ -43,4 +43,4 @@ namespace geargraph::inline exporters {
 /// ExportNeed is met. Cheap.
 [[nodiscard]] std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live);
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,11 +2,11 @@
 
 #include <array>
 
+#include "core/presentation/export_api/graph_files.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
-#include "core/presentation/results/graph_files.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr ExportRefusal kNoTtGraph{
@@ -88,4 +88,4 @@ ExportFamily graphFamily() {
   return {toTranslate("Graphs"), toTranslate("graphs"), {}, false, kGraphExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,14 +2,14 @@
 
 #include <array>
 
+#include "core/presentation/export_api/handout_train.h"
+#include "core/presentation/export_api/scorm_package.h"
 #include "core/presentation/exporters/derivation_export.h"
 #include "core/presentation/exporters/exercise_plan.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/handout/handout.h"
-#include "core/presentation/results/handout_train.h"
-#include "core/presentation/results/scorm_package.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 using AskedExercises = std::optional<HandoutExercises>;
@@ -117,4 +117,4 @@ ExportFamily handoutFamily() {
   return {toTranslate("Handouts"), toTranslate("handouts"), {}, false, kHandoutExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

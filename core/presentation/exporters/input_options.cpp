@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 /// The position of the joint that a word names.
@@ -92,4 +92,4 @@ std::variant<Mechanism, UsageError> withInputOptions(Mechanism mechanism, const 
   return mechanism;
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/simulators/modelica.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 ExportResult writeModelica(ExportContext& context, const OptionValues& given, const ExportTarget& target,
@@ -39,4 +39,4 @@ ExportFamily jointModelFamily() {
   return {toTranslate("Models of the joints"), {}, {}, false, kJointModelExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -1,10 +1,10 @@
 #include "core/presentation/exporters/mass_options.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/mass_edits.h"
 #include "core/presentation/exporters/number_options.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism, const OptionValues& given) {
   if (const auto word = given.value("--density")) {
@@ -22,4 +22,4 @@ std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism, const O
   return *std::move(next);
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,11 +2,11 @@
 
 #include <variant>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// The mechanism with the density of `--density` (kg/m³) and the gravity of `--gravity` (m/s²), if given.
 [[nodiscard]] std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism,
@@ -17,4 +17,4 @@ inline constexpr OptionText kGravityOption{
 inline constexpr OptionText kDensityOption{"--density", "7850",
                                            toTranslate("of all solids, kg/m³, instead of the document's")};
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -7,11 +7,11 @@
 
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
+#include "core/presentation/export_api/csv_tables.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
-#include "core/presentation/results/csv_tables.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -203,4 +203,4 @@ ExportFamily matrixFamily() {
   return {toTranslate("Matrices"), {}, {}, false, kMatrixExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 std::variant<double, UsageError> numberWithin(const OptionValues& given, std::string_view option,
                                               double otherwise, double least, double most) {
@@ -36,4 +36,4 @@ std::optional<NumberTriple> tripleFrom(
   return triple;
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// The number of an option, or `otherwise` if it is not given. An error if it is not in [least, most].
 [[nodiscard]] std::variant<double, UsageError> numberWithin(const OptionValues& given,
@@ -19,4 +19,4 @@ namespace geargraph::inline exporters {
     std::string_view text,
     const std::function<std::optional<Number>(std::string_view text)>& read = typedNumber);
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 
 #include "core/mechanism/model/quantity.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// What people read about an option: of a command, in its help, and of an exporter, in a dialog too.
 struct OptionText {
@@ -60,4 +60,4 @@ struct UsageError {
   std::string message;
 };
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

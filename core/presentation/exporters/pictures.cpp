@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/presentation/cairo_output/picture.h"
+#include "core/presentation/export_api/solved_statics.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/exporters/view3d_options.h"
+#include "core/presentation/mechanism_scene/forces_caption.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
+#include "core/presentation/mechanism_scene/scene_picture.h"
+#include "core/presentation/mechanism_scene/train_forces.h"
+#include "core/presentation/mechanism_scene/train_power.h"
 #include "core/presentation/meshfile/mesh_writer.h"
-#include "core/presentation/picture/picture.h"
-#include "core/presentation/results/solved_statics.h"
-#include "core/presentation/train_stage/forces_caption.h"
-#include "core/presentation/train_stage/stage_picture.h"
-#include "core/presentation/train_stage/train_forces.h"
-#include "core/presentation/train_stage/train_power.h"
-#include "core/presentation/train_stage/train_stage.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr ExportRefusal kNothingToShow{"no-spanning-tree",
@@ -24,7 +24,7 @@ constexpr ExportRefusal kNothingToShow{"no-spanning-tree",
 
 struct ShownStage {
   SnapshotPtr snapshot;
-  StagePtr stage;
+  MechanismScenePtr stage;
 };
 
 std::variant<ShownStage, ExportError> shownStage(ExportContext& context, const OptionValues& given,
@@ -37,9 +37,9 @@ std::variant<ShownStage, ExportError> shownStage(ExportContext& context, const O
   GearCache cache;
   ShapeCache read;
   const ShapeSource shapes{read, context.folder(), stop};
-  const StagePtr stage = trainStage(*snapshot, cache, &shapes, nullptr, stop);
+  const MechanismScenePtr stage = mechanismScene(*snapshot, cache, &shapes, nullptr, stop);
   if (!stage) return outOfTime(translated("the 3D view"));
-  for (const StageNote& note : stage->notes) context.tell(note.text, ExportNote::About::file);
+  for (const SceneNote& note : stage->notes) context.tell(note.text, ExportNote::About::file);
   if (stage->scene.instances.empty() && snapshot->mechanism->n() > kMaxStageLinks) {
     return ExportError{ExportError::Kind::limit,
                        translated("A train of %1 links has no 3D, which is made of up to %2 links.",
@@ -53,23 +53,24 @@ std::variant<ShownStage, ExportError> shownStage(ExportContext& context, const O
 }
 
 /// What `--show forces` adds to a picture.
-struct ShownForces {
-  StageForces forces;   ///< null where none is determined
+struct ForcesInPicture {
+  SceneForces forces;   ///< null where none is determined
   std::string caption;  ///< why some are not drawn, or all; where all, under which loads
   bool areUnheld = false;
 };
 
 /// The forces under the document's loads. Where some are not known the train is shown without them, and the
 /// picture says why; that is told. An error where a stop was requested.
-std::variant<ShownForces, ExportError> shownForces(const ExportContext& context, const SnapshotPtr& snapshot,
-                                                   const OptionValues& given, const std::stop_token& stop) {
+std::variant<ForcesInPicture, ExportError> shownForces(const ExportContext& context,
+                                                       const SnapshotPtr& snapshot, const OptionValues& given,
+                                                       const std::stop_token& stop) {
   const SolvedStaticsPtr solved = solvedStatics(snapshot, given.value("--state"), false, stop);
   if (!solved) return outOfTime(translated("the torques"));
   const SolvedStatics& statics = *solved;
   const Mechanism& mechanism = *snapshot->mechanism;
   const StaticsReport* const report = statics.report ? &*statics.report : nullptr;
-  ShownForces shown;
-  std::vector<StageForce> forces;
+  ForcesInPicture shown;
+  std::vector<SceneForce> forces;
   if (report != nullptr) forces = stageForces(mechanism, statics.snapshot->kinematics->placement(), *report);
   shown.caption = forcesCaption(mechanism, report);
   if (!shown.caption.empty()) {
@@ -80,7 +81,7 @@ std::variant<ShownForces, ExportError> shownForces(const ExportContext& context,
     const std::string loads = loadsCaption(mechanism, report);
     if (!loads.empty()) shown.caption = loads + ' ' + shown.caption;
   } else {
-    shown.forces = std::make_shared<const std::vector<StageForce>>(std::move(forces));
+    shown.forces = std::make_shared<const std::vector<SceneForce>>(std::move(forces));
   }
   shown.areUnheld = report != nullptr && hasErrors(report->diagnostics);
   return shown;
@@ -88,7 +89,7 @@ std::variant<ShownForces, ExportError> shownForces(const ExportContext& context,
 
 /// What `--show power` adds to a picture.
 struct ShownPower {
-  StagePowerPtr power;  ///< null where there is none
+  ScenePowerPtr power;  ///< null where there is none
   std::string caption;  ///< why
   bool areUnheld = false;
 };
@@ -121,7 +122,7 @@ std::variant<ShownPower, ExportError> shownPower(const ExportContext& context, c
   }
   const Mechanism& mechanism = *snapshot->mechanism;
   const auto& kinematics = *solved->snapshot->kinematics;
-  shown.power = std::make_shared<const StagePower>(
+  shown.power = std::make_shared<const ScenePower>(
       stagePower(powerPicture(mechanism, *kinematics.model, kinematics.placement(), *report), mechanism,
                  kinematics.placement(), *stage));
   if (shown.power->picture.isEmpty()) {
@@ -132,11 +133,11 @@ std::variant<ShownPower, ExportError> shownPower(const ExportContext& context, c
 }
 
 /// The limits of joints between which a film of a motion goes there and back; empty without any.
-std::string limitsNote(const Stage& stage, const StageRendering& rendering) {
+std::string limitsNote(const MechanismScene& stage, const SceneRendering& rendering) {
   if (!rendering.animation || rendering.animation->kind != AnimationKind::motion || !stage.range) return {};
-  const StageRange range = stage.range(std::vector<double>(stage.inputSpeeds.size(), 0));
+  const SceneRange range = stage.range(std::vector<double>(stage.inputSpeeds.size(), 0));
   std::vector<std::string> ends;
-  for (const StageLimit* end : {&range.from, &range.to})
+  for (const SceneLimit* end : {&range.from, &range.to})
     if (!end->text.empty()) ends.push_back(end->text);
   if (ends.empty()) return {};
   return translated("The motion in the file goes there and back within the limits of joints: %1.",
@@ -152,8 +153,8 @@ ExportError renderingError(const RenderingFailure& why) {
 /// The rendering of the options, with what was found out about the forces that it shows.
 struct AskedRendering {
   ShownStage from;
-  StageRendering rendering;
-  ShownForces forces;
+  SceneRendering rendering;
+  ForcesInPicture forces;
 };
 
 std::variant<AskedRendering, ExportError> askedRendering(ExportContext& context, const OptionValues& given,
@@ -169,13 +170,13 @@ std::variant<AskedRendering, ExportError> askedRendering(ExportContext& context,
   auto parsed = renderingFrom(given, asked.from.stage, *asked.from.snapshot);
   if (auto* error = std::get_if<UsageError>(&parsed))
     return ExportError{ExportError::Kind::usage, std::move(error->message)};
-  asked.rendering = std::get<StageRendering>(std::move(parsed));
+  asked.rendering = std::get<SceneRendering>(std::move(parsed));
   if (std::string note = limitsNote(*asked.from.stage, asked.rendering); !note.empty())
     context.tell(std::move(note));
   if (!asked.rendering.view.marks.forces) return asked;
   auto forces = shownForces(context, asked.from.snapshot, given, stop);
   if (auto* error = std::get_if<ExportError>(&forces)) return std::move(*error);
-  asked.forces = std::get<ShownForces>(std::move(forces));
+  asked.forces = std::get<ForcesInPicture>(std::move(forces));
   asked.rendering.view.forces = asked.forces.forces;
   return asked;
 }
@@ -192,14 +193,14 @@ ExportResult writeSeenSolids(ExportContext& context, const OptionValues& given, 
 }
 
 /// Paints labels, captions and the power over each picture.
-std::function<void(Image&, StagePainter&)> overlayPainter(const OverlayChoice& overlay,
+std::function<void(Image&, ScenePainter&)> overlayPainter(const OverlayChoice& overlay,
                                                           const AskedRendering& asked,
                                                           const ShownPower& power, Theme theme) {
-  StageLabels over(overlay);
+  SceneLabels over(overlay);
   const bool both = !asked.forces.caption.empty() && !power.caption.empty();
   over.setCaption(asked.forces.caption + (both ? " " : "") + power.caption);
   over.setPower(power.power);
-  return [labels = std::move(over), theme](Image& image, StagePainter& painter) mutable {
+  return [labels = std::move(over), theme](Image& image, ScenePainter& painter) mutable {
     const bool painted =
         paintOver(image.rgba, image.width, image.height, labels.over(painter), painter.pixelRatio(), theme);
     if (!painted) image.rgba.clear();
@@ -334,4 +335,4 @@ ExportFamily seenSolidFamily() {
   return {toTranslate("The train as seen"), {}, "--to glb --view 3d", true, kSeenSolidExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/foundations/files/folder.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
@@ -10,7 +10,7 @@
 #include "core/presentation/exporters/number_options.h"
 #include "core/presentation/simulators/simulator_model.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr ExportRefusal kNotExpressible{
@@ -172,4 +172,4 @@ ExportFamily simulatorFamily() {
   return {toTranslate("Simulators"), {}, {}, false, kSimulatorExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/presentation/meshfile/assembly.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 /// The whole train, or one link of it, with its motion where the format carries one; `isFlawed` tells whether
@@ -173,4 +173,4 @@ ExportFamily assemblyFamily() {
   return {toTranslate("Checks of teeth"), {}, {}, false, kAssemblyExporters};
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

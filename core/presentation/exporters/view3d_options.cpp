@@ -4,11 +4,11 @@
 #include <numbers>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/export_api/rendering_names.h"
 #include "core/presentation/exporters/element_words.h"
-#include "core/presentation/results/rendering_names.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -34,7 +34,7 @@ class RenderingReader {
  public:
   explicit RenderingReader(const OptionValues& given) : m_given(given) {}
 
-  std::variant<StageRendering, UsageError> read() {
+  std::variant<SceneRendering, UsageError> read() {
     readSize();
     readCamera();
     readMoment();
@@ -145,7 +145,7 @@ class RenderingReader {
   }
 
   const OptionValues& m_given;
-  StageRendering m_rendering;
+  SceneRendering m_rendering;
   std::optional<UsageError> m_error;
 };
 
@@ -182,10 +182,11 @@ std::optional<UsageError> renderingUsageError(const OptionValues& given) {
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
 
-std::variant<StageRendering, UsageError> renderingFrom(const OptionValues& given, const StagePtr& stage,
+std::variant<SceneRendering, UsageError> renderingFrom(const OptionValues& given,
+                                                       const MechanismScenePtr& stage,
                                                        const AnalysisSnapshot& snapshot) {
   auto read = RenderingReader(given).read();
-  auto* rendering = std::get_if<StageRendering>(&read);
+  auto* rendering = std::get_if<SceneRendering>(&read);
   if (rendering == nullptr) return read;
   rendering->stage = stage;
   const Mechanism& mechanism = *snapshot.mechanism;
@@ -206,4 +207,4 @@ std::variant<StageRendering, UsageError> renderingFrom(const OptionValues& given
   return read;
 }
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

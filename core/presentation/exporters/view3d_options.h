@@ -7,16 +7,16 @@
 #include <variant>
 
 #include "core/presentation/exporters/option_values.h"
-#include "core/presentation/train_stage/stage_labels.h"
-#include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/mechanism_scene/scene_labels.h"
+#include "core/presentation/mechanism_scene/scene_picture.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline exporters {
+namespace geargraph {
 
 /// The options of `export --view 3d` for a stage: camera, time, section, exploded view, hidden links,
 /// overlays, and the animation. Labels are those of the snapshot's mechanism.
-[[nodiscard]] std::variant<StageRendering, UsageError> renderingFrom(const OptionValues& given,
-                                                                     const StagePtr& stage,
+[[nodiscard]] std::variant<SceneRendering, UsageError> renderingFrom(const OptionValues& given,
+                                                                     const MechanismScenePtr& stage,
                                                                      const AnalysisSnapshot& snapshot);
 
 /// Width and height from "WxH", each at least kLeastPictureSide and at most `most`.
@@ -30,4 +30,4 @@ namespace geargraph::inline exporters {
 /// Checks the options as far as possible without a mechanism; std::nullopt if they are valid.
 [[nodiscard]] std::optional<UsageError> renderingUsageError(const OptionValues& given);
 
-}  // namespace geargraph::inline exporters
+}  // namespace geargraph

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/base64.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/handout/handout_data.h"
@@ -12,7 +12,7 @@
 #include "core/presentation/handout/page_policy.h"
 #include "core/presentation/handout/page_scene.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 std::string counts(const AnalysisSnapshot& snapshot) {
@@ -171,4 +171,4 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
   return wholePage(*snapshot, escapedXml(report.title), parts, note, use);
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

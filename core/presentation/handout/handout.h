@@ -7,18 +7,18 @@
 #include "core/foundations/base/expected.h"
 #include "core/presentation/handout/handout_exercises.h"
 #include "core/presentation/report/report.h"
-#include "core/presentation/stage/stage.h"
+#include "core/presentation/scene3d/stage.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// The largest size of a page in bytes, for learning platforms and e-mail.
 constexpr std::size_t kMaxHandoutBytes = 3'000'000;
 
 /// The train in three dimensions.
 struct HandoutTrain {
-  StagePtr stage;     ///< null, or without instances: the page has no such part
-  std::string still;  ///< the bytes of a PNG, shown where scripts do not run; may be empty
+  MechanismScenePtr stage;  ///< null, or without instances: the page has no such part
+  std::string still;        ///< the bytes of a PNG, shown where scripts do not run; may be empty
 };
 
 /// Where a page is shown: by itself, or in a learning platform, to which it reports what was viewed (SCORM
@@ -48,4 +48,4 @@ enum class HandoutUse { alone, learningPlatform };
                                                 const std::optional<HandoutExercises>& exercises = {},
                                                 const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

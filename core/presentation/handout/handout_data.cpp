@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "core/foundations/base/locale.h"
 #include "core/foundations/base/rational.h"
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/handout/page_scene.h"
@@ -16,7 +16,7 @@
 #include "core/theory/pose/turning_lines.h"
 #include "core/theory/states/state_edits.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -26,7 +26,8 @@ class DataWriter {
   DataWriter(ByteSink& sink, const AnalysisSnapshot& snapshot)
       : m_json(sink), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism), m_graph(*snapshot.graph) {}
 
-  void write(const Stage* stage, double tolerance, const HandoutLevers& levers, const std::stop_token& stop) {
+  void write(const MechanismScene* stage, double tolerance, const HandoutLevers& levers,
+             const std::stop_token& stop) {
     m_json.beginObject();
     m_json.member("format", "geargraph-handout");
     m_json.member("version", 1);
@@ -358,7 +359,7 @@ class DataWriter {
 
 }  // namespace
 
-std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, double tolerance,
+std::string handoutData(const AnalysisSnapshot& snapshot, const MechanismScene* stage, double tolerance,
                         const HandoutLevers& levers, const std::stop_token& stop) {
   TextSink sink;
   DataWriter(sink, snapshot).write(stage, tolerance, levers, stop);
@@ -373,4 +374,4 @@ std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, do
   return text;
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

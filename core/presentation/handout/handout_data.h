@@ -4,10 +4,10 @@
 #include <string>
 
 #include "core/presentation/handout/handout_levers.h"
-#include "core/presentation/stage/stage.h"
+#include "core/presentation/scene3d/stage.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// The data of the page's script, as JSON: "texts", the script's own by name (script_texts.h), and the
 /// "decimal" sign; "elements" with labels, names, alone and as a "mention" in a sentence, and sentences,
@@ -19,7 +19,8 @@ namespace geargraph::inline handout {
 /// the links with the lines that they turn about, limits of joints, and "scene", what is shown of the train.
 /// "levers" and "nomogram": writeHandoutLevers(). Every "<" is escaped, so that the text is safe in a script
 /// element. Cost: that of an analysis for each state.
-[[nodiscard]] std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, double tolerance,
-                                      const HandoutLevers& levers, const std::stop_token& stop);
+[[nodiscard]] std::string handoutData(const AnalysisSnapshot& snapshot, const MechanismScene* stage,
+                                      double tolerance, const HandoutLevers& levers,
+                                      const std::stop_token& stop);
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

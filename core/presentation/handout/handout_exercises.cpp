@@ -1,7 +1,7 @@
 #include "core/presentation/handout/handout_exercises.h"
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/base64.h"
 #include "core/foundations/files/gzip.h"
 #include "core/foundations/files/json_writer.h"
@@ -11,7 +11,7 @@
 #include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxOptions = 24;  ///< that are listed beside a blank
@@ -149,4 +149,4 @@ std::string exercisesKey(const HandoutExercises& exercises) {
   return base64(gzip(sink.take()));
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/teaching/exercises/exercise_sheet.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// One variant of an exercise sheet, with its answer keys.
 struct HandoutExercises {
@@ -27,4 +27,4 @@ struct HandoutExercises {
 /// "columns" in the current language, gzipped and in base64, so that answers are not readable in the file.
 [[nodiscard]] std::string exercisesKey(const HandoutExercises& exercises);
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

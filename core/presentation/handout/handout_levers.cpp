@@ -4,7 +4,7 @@
 #include "core/theory/levers/lever_motion.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 class LeversWriter {
@@ -132,4 +132,4 @@ void writeHandoutLevers(JsonWriter& json, const AnalysisSnapshot& snapshot, cons
   if (!levers.nomogramSvg.empty()) writer.writeNomogram();
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "core/foundations/files/json_writer.h"
-#include "core/presentation/lever_drawing/lever_drawing.h"
-#include "core/presentation/lever_drawing/nomogram.h"
+#include "core/presentation/diagrams/lever_drawing.h"
+#include "core/presentation/diagrams/nomogram.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// The levers of a page, whose script draws the speeds as the inputs move, and the nomogram of the states,
 /// whose script shows the state that is engaged. Empty drawings for a train that has none.
@@ -30,4 +30,4 @@ struct HandoutLevers {
 /// of what is not drawn.
 void writeHandoutLevers(JsonWriter& json, const AnalysisSnapshot& snapshot, const HandoutLevers& levers);
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

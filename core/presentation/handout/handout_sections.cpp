@@ -3,15 +3,15 @@
 #include <array>
 #include <cstdio>
 
+#include "core/foundations/base/locale.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 std::string elementAttribute(const ElementId& element) {
@@ -78,7 +78,7 @@ std::string lengthText(const CoefficientMatrix& matrix, MeshOrdinal mesh,
     return (entry.length < 0 ? "-" : "") + radius->toString();
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", entry.length);
-  return spokenNumber(text.data());
+  return localizedNumber(text.data());
 }
 
 /// "20 \dot{\theta}_{9} - 30 \dot{\theta}_{12} = 0": radii where both are fractions, else the gear ratio.
@@ -202,7 +202,7 @@ std::string statesTable(const AnalysisSnapshot& snapshot, const std::stop_token&
   for (const StateSolution& solution : *solved) {
     const ShiftState& state = mechanism.states[static_cast<std::size_t>(solution.state)];
     std::vector<std::string> engaged;
-    for (const CouplingId coupling : state.engaged) engaged.push_back(coupling.text());
+    for (const ShiftElementId coupling : state.engaged) engaged.push_back(coupling.text());
     table += "<tr data-state=\"" + std::to_string(solution.state) + "\"><th scope=\"row\">" +
              escapedXml(state.name) + "</th><td>" + escapedXml(listed(engaged, kAllNames)) + "</td><td>" +
              (solution.ratio ? printed(readableNumber(*solution.ratio)) : escapedXml(translated("none"))) +
@@ -261,4 +261,4 @@ std::string derivationSection(const Report& report) {
   return heading(translated("Derivation")) + reportHtmlBlocks(report.blocks);
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

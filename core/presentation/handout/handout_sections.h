@@ -7,7 +7,7 @@
 #include "core/presentation/report/report.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// "1 mesh", "4 meshes", in the current language: of "%1 mesh" and "%1 meshes", which toTranslate() marks.
 [[nodiscard]] std::string counted(int number, const char* one, const char* several);
@@ -26,4 +26,4 @@ namespace geargraph::inline handout {
 /// Both methods, step by step, without the drawings.
 [[nodiscard]] std::string derivationSection(const Report& report);
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

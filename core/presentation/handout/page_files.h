@@ -2,9 +2,9 @@
 
 #include <span>
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// The embedded files of a page: style, script, library, and the script that reports to learning platforms.
-[[nodiscard]] std::span<const std::span<const unsigned char>> pageFiles();
+[[nodiscard]] std::span<const std::span<const unsigned char>> handoutPageFiles();
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

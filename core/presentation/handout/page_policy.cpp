@@ -4,11 +4,11 @@
 #include "core/foundations/files/base64.h"
 #include "core/presentation/handout/page_files.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 std::string_view pageFile(std::size_t position) {
-  const std::span<const unsigned char> bytes = pageFiles()[position];
+  const std::span<const unsigned char> bytes = handoutPageFiles()[position];
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -46,4 +46,4 @@ std::string pagePolicy(bool reports) {
          source(GEARGRAPH_STYLE_SHA256) + "; img-src data:; base-uri 'none'; form-action 'none'";
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

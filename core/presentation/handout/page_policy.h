@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// The style of a page, its own script, and its 3D library (three.js, with its licence in the first comment).
 [[nodiscard]] std::string_view pageStyle();
@@ -16,4 +16,4 @@ namespace geargraph::inline handout {
 /// use its own style, and may load and send nothing.
 [[nodiscard]] std::string pagePolicy(bool reports);
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/foundations/files/base64.h"
 #include "core/foundations/files/gzip.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -76,7 +76,7 @@ std::string keyOf(const ElementId& element) {
 
 class SceneWriter {
  public:
-  SceneWriter(JsonWriter& json, const Stage& stage, const Digraph& graph)
+  SceneWriter(JsonWriter& json, const MechanismScene& stage, const Digraph& graph)
       : m_json(json), m_stage(stage), m_graph(graph) {}
 
   void write(double tolerance) {
@@ -87,7 +87,7 @@ class SceneWriter {
     list("parts", m_stage.scene.instances.size(), [&](std::size_t i) { part(m_stage.scene.instances[i]); });
     m_json.key("labels");
     m_json.beginArray();
-    for (const StageLabel& each : m_stage.labels) {
+    for (const SceneLabel& each : m_stage.labels) {
       if (each.kind == LabelKind::link) label(each);
     }
     m_json.endArray();
@@ -140,7 +140,7 @@ class SceneWriter {
     m_json.endArray();
   }
 
-  void label(const StageLabel& of) {
+  void label(const SceneLabel& of) {
     m_json.beginObject(Layout::row);
     m_json.member("text", of.text);
     m_json.member("part", of.instance);
@@ -159,7 +159,7 @@ class SceneWriter {
   }
 
   JsonWriter& m_json;
-  const Stage& m_stage;
+  const MechanismScene& m_stage;
   const Digraph& m_graph;
 };
 
@@ -171,8 +171,8 @@ std::string pageGeometry(const Scene& scene, double tolerance) {
   return base64(gzip(blocks.bytes()));
 }
 
-void writePageScene(JsonWriter& json, const Stage& stage, const Digraph& graph, double tolerance) {
+void writePageScene(JsonWriter& json, const MechanismScene& stage, const Digraph& graph, double tolerance) {
   SceneWriter(json, stage, graph).write(tolerance);
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

@@ -4,9 +4,9 @@
 
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/graph/digraph.h"
-#include "core/presentation/stage/stage.h"
+#include "core/presentation/scene3d/stage.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// The solids of a scene for a page, one after the other, each in blocks padded to four bytes: positions
 /// (three uint16 a vertex, 0 to 65535 from the least to the largest coordinate of its box), normals (two int8
@@ -20,6 +20,6 @@ namespace geargraph::inline handout {
 /// The other data of the scene for the page's script: the sizes and boxes of the solids; the parts with their
 /// links, poses (rotation by rows, then the place), colours and elements; the labels of links. One value of
 /// JSON.
-void writePageScene(JsonWriter& json, const Stage& stage, const Digraph& graph, double tolerance);
+void writePageScene(JsonWriter& json, const MechanismScene& stage, const Digraph& graph, double tolerance);
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

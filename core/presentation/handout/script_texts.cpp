@@ -1,8 +1,8 @@
 #include "core/presentation/handout/script_texts.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline handout {
+namespace geargraph {
 namespace {
 
 constexpr ScriptText kTexts[] = {
@@ -112,4 +112,4 @@ std::span<const ScriptText> scriptTexts() {
   return kTexts;
 }
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

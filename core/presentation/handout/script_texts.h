@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace geargraph::inline handout {
+namespace geargraph {
 
 /// A text that the page's script shows, in English, with its placeholders %1 to %9.
 struct ScriptText {
@@ -14,4 +14,4 @@ struct ScriptText {
 /// whose hash the page's policy names, is the same in every language.
 [[nodiscard]] std::span<const ScriptText> scriptTexts();
 
-}  // namespace geargraph::inline handout
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/teaching/lessons/course.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 namespace {
 
 constexpr const char* kShownExample = "planetary-ring-held";  // of matrices: small enough for a line
@@ -197,4 +197,4 @@ std::string courseMarkdown() {
   return text;
 }
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

@@ -5,11 +5,11 @@
 
 #include "core/teaching/derivation/glossary.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 struct Lesson;
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph
 
-namespace geargraph::inline manual {
+namespace geargraph {
 
 /// The first lesson of the course that teaches the term; null if there is none.
 [[nodiscard]] const Lesson* lessonAbout(Term term);
@@ -24,4 +24,4 @@ namespace geargraph::inline manual {
 /// The course as a list of lessons with their goals.
 [[nodiscard]] std::string courseMarkdown();
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

@@ -4,12 +4,12 @@
 #include <cctype>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/presentation/manual/bundled_pages.h"
 #include "core/presentation/manual/glossary_page.h"
 #include "core/presentation/manual/markdown.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 namespace {
 
 constexpr int kDeepestHeading = 3;
@@ -96,4 +96,4 @@ std::string slugOf(std::string_view title) {
   return slug;
 }
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

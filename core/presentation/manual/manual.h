@@ -6,7 +6,7 @@
 
 #include "core/teaching/derivation/glossary.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 
 /// A section of a page.
 struct ManualSection {
@@ -39,4 +39,4 @@ struct ManualPage {
 /// A title as a page id or anchor: lower-case ASCII letters, digits, and single hyphens for everything else.
 [[nodiscard]] std::string slugOf(std::string_view title);
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/teaching/lessons/course.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 namespace {
 
 /// What comes before the sign; the rest stays in `text`.
@@ -91,4 +91,4 @@ std::optional<DisplayList> manualPicture(std::string_view name) {
   return drawn(*snapshot, view, emphases);
 }
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 
 /// A drawing of a bundled example, as the program draws it: "VIEW/EXAMPLE" or "VIEW/EXAMPLE/MARKS".
 ///
@@ -15,4 +15,4 @@ namespace geargraph::inline manual {
 /// Cost: that of the drawing, milliseconds for the examples.
 [[nodiscard]] std::optional<DisplayList> manualPicture(std::string_view name);
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

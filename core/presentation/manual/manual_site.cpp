@@ -1,14 +1,14 @@
 #include "core/presentation/manual/manual_site.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/manual/manual.h"
 #include "core/presentation/manual/manual_picture.h"
 #include "core/presentation/manual/markdown.h"
 #include "core/presentation/report/mathml.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kStyle = R"(
@@ -139,4 +139,4 @@ std::vector<ManualFile> manualSite(const std::set<std::string>& windowPictures) 
   return SiteWriter(windowPictures).all();
 }
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace geargraph::inline manual {
+namespace geargraph {
 
 struct ManualFile {
   std::string name;  ///< within the folder: "first-steps.html", "pictures/..."
@@ -17,4 +17,4 @@ struct ManualFile {
 /// Cost: that of all drawings, some hundred milliseconds.
 [[nodiscard]] std::vector<ManualFile> manualSite(const std::set<std::string>& windowPictures);
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline manual {
+namespace geargraph {
 namespace {
 
 void append(const MD_CHAR* text, MD_SIZE size, void* html) {
@@ -107,4 +107,4 @@ std::string plainTextOf(std::string_view html) {
   return unescaped(text);
 }
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

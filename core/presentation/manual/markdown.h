@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline manual {
+namespace geargraph {
 
 /// GitHub Flavored Markdown with formulas between dollar signs, converted to the body of an HTML page.
 /// Formulas become <x-equation>TeX</x-equation>, with type="display" if they are on a line of their own.
@@ -26,4 +26,4 @@ namespace geargraph::inline manual {
 /// The text of HTML: without tags and formulas, with entities decoded.
 [[nodiscard]] std::string plainTextOf(std::string_view html);
 
-}  // namespace geargraph::inline manual
+}  // namespace geargraph

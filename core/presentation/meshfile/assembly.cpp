@@ -8,7 +8,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/machine/teeth/wheel_kind.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ std::optional<MeshFileError> writeAssembly(const Assembly& assembly, const fs::p
                        error->message};
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

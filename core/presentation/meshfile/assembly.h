@@ -9,7 +9,7 @@
 #include "core/machine/teeth/gear_spec.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// A gear for an external check of its teeth: its parameters, its solid and its pose. Lengths in the
 /// document's unit; `profileShift`, `addendum`, `dedendum` and `rootRadius` in modules; angles in radians.
@@ -70,4 +70,4 @@ constexpr std::size_t kMinFrames = 12;
 /// are ignored; if all are at rest, times end at 1. @pre count >= 2
 [[nodiscard]] std::vector<double> frameTimes(std::span<const double> pitches, std::size_t count);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/presentation/meshfile/weld.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kHeaderSize = 80;
@@ -103,4 +103,4 @@ std::optional<std::string> plyBytes(const MeshScene& scene, const MeshWriteOptio
   return bytes + faces;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

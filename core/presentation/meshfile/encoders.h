@@ -13,7 +13,7 @@
 #include "core/foundations/files/byte_sink.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 // One encoder per format. Each returns std::nullopt if `stop` was requested; that of GLB writes to a sink.
 // They are our own code, because assimp 5.2 drops node transforms that differ from the identity by less than
@@ -94,4 +94,4 @@ void appendDecimal(std::string& text, Number value) {
   return text;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/utf8.h"
 #include "core/foundations/platform/child_process.h"
 #include "core/foundations/platform/system.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ fs::path foreignMeshReader() {
   return {};
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// The limits for reading an untrusted 3D file.
 struct ForeignLimits {
@@ -55,4 +55,4 @@ constexpr char kReportSeparator = '\x1f';  ///< between the parts of a report
 /// std::nullopt if the bytes are not what packedSolid() writes, within the limit.
 [[nodiscard]] std::optional<Solid> unpackedSolid(std::string_view bytes, std::size_t mostTriangles);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

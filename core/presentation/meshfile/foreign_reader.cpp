@@ -10,10 +10,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/meshfile/foreign_mesh.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 constexpr float kCrease = 35;  // degrees
@@ -167,4 +167,4 @@ std::optional<Solid> unpackedSolid(std::string_view bytes, std::size_t mostTrian
   return isSound(solid) ? std::optional(std::move(solid)) : std::nullopt;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/meshfile/assembly.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 /// Largest stretch of the pitch, which is a circle of length 1, without a frame.
@@ -57,4 +57,4 @@ std::vector<double> frameTimes(std::span<const double> pitches, std::size_t coun
   return times;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/presentation/meshfile/encoders.h"
 #include "core/presentation/meshfile/weld.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -381,4 +381,4 @@ bool writeGlb(const MeshScene& scene, const MeshWriteOptions& options, ByteSink&
   return gltf.buffer().writeTo(sink, options);
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

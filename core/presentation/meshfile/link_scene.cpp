@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/meshfile/turn_keys.h"
 #include "core/theory/pose/period.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 std::string nameOf(const Link& link, int label) {
@@ -137,4 +137,4 @@ std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
   return scene;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -12,7 +12,7 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// A mechanism with its solids; valid during the call only.
 struct LinkSceneSource {
@@ -49,4 +49,4 @@ constexpr std::size_t kMaxKeys = 1'000'000;
 [[nodiscard]] std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
                                                                const std::optional<UniformMotion>& motion);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/presentation/meshfile/mesh_format.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 std::string_view meshFormatName(MeshFormat format) {
   switch (format) {
@@ -35,4 +35,4 @@ bool carriesAnimation(MeshFormat format) {
   return format == MeshFormat::glb;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 enum class MeshFormat { stl, obj, ply, glb, threeMf };
 
@@ -16,4 +16,4 @@ enum class MeshFormat { stl, obj, ply, glb, threeMf };
 /// Only GLB carries motion.
 [[nodiscard]] bool carriesAnimation(MeshFormat format);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

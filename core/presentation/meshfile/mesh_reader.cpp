@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 MeshFileError unreadable(const std::string& why) {
@@ -173,4 +173,4 @@ std::variant<MeshScene, MeshFileError> readMesh(std::string_view bytes, MeshForm
   return Reader(*scene, limits).read(format == MeshFormat::glb);
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 struct MeshReadLimits {
   std::size_t mostBytes = std::size_t{512} << 20U;
@@ -19,4 +19,4 @@ struct MeshReadLimits {
 [[nodiscard]] std::variant<MeshScene, MeshFileError> readMesh(std::string_view bytes, MeshFormat format,
                                                               const MeshReadLimits& limits = {});
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 template <class LocalPose>
@@ -122,4 +122,4 @@ double metresPerUnit(const std::string& unit) {
   return 1e-3;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

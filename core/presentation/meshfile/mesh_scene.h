@@ -9,7 +9,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// A material with its name in files. Colour in sRGB, 0..1.
 struct MeshMaterial {
@@ -75,4 +75,4 @@ struct MeshScene {
 /// Metres in one `unit` of a document; that of millimetres if the unit is none of um, mm, cm, dm, m, in, ft.
 [[nodiscard]] double metresPerUnit(const std::string& unit);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -8,11 +8,11 @@
 #include <memory>
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/encoders.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 using Files = std::vector<EncodedFile>;
@@ -203,4 +203,4 @@ std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

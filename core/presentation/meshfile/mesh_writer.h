@@ -12,7 +12,7 @@
 #include "core/presentation/meshfile/mesh_format.h"
 #include "core/presentation/meshfile/mesh_scene.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// Why a 3D file was not written or read. It does not concern the document, so it is no Diagnostic.
 struct MeshFileError {
@@ -60,4 +60,4 @@ struct EncodedFile {
                                                      const std::filesystem::path& path,
                                                      const MeshWriteOptions& options = {});
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/presentation/meshfile/encoders.h"
 #include "core/presentation/meshfile/weld.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 void appendPoint(std::string& text, const char* keyword, const Float3& p) {
@@ -93,4 +93,4 @@ std::optional<ObjTexts> objTexts(const MeshScene& scene, const std::string& mate
   return ObjTexts{std::move(text), materialsOf(flat)};
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

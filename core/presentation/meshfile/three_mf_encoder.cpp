@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/presentation/meshfile/weld.h"
 #include "core/presentation/meshfile/zip_archive.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kContentTypes =
@@ -139,4 +139,4 @@ std::optional<std::string> threeMfBytes(const MeshScene& scene, const MeshWriteO
   return archive.finish();
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/theory/pose/turning_lines.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 /// Rate of a gear against its carrier about the line of their axis class.
@@ -153,4 +153,4 @@ Expected<Assembly> assemblyOf(const PlacedTrain& placed, GearCache& cache, doubl
   return assembly;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/presentation/meshfile/assembly.h"
 #include "core/presentation/meshfile/link_scene.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// A mechanism with a spanning tree and placed axes, with its forward kinematics. The arguments outlive it.
 struct PlacedTrain {
@@ -45,4 +45,4 @@ struct PlacedTrain {
                                             std::span<const std::vector<Rational>> motions,
                                             std::size_t frames);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

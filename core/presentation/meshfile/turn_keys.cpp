@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest,
                                      long long quarters, double seconds) {
@@ -53,4 +53,4 @@ std::vector<RotationKey> thereAndBack(const Eigen::Vector3d& axis, const Eigen::
   return keys;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/presentation/meshfile/mesh_scene.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// Keys of a node that rests at `rest` and turns uniformly about `axis` (unit, in the parent's frame, through
 /// the node's origin) by `quarters` quarter turns in `seconds`: one at each quarter, so that slerp between
@@ -26,4 +26,4 @@ namespace geargraph::inline meshfile {
                                                     const Eigen::Quaterniond& rest, double rate, double from,
                                                     double to);
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/disjoint_sets.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 struct PositionHash {
@@ -108,4 +108,4 @@ WeldedMesh weldedToManifold(const Solid& solid) {
   return parted;
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

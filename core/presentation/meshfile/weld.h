@@ -2,7 +2,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// A mesh whose vertices have distinct positions and no normals.
 struct WeldedMesh {
@@ -26,4 +26,4 @@ struct WeldedMesh {
   return {p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F};
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

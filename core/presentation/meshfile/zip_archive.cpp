@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 namespace {
 
 constexpr std::uint16_t kVersion = 20;  // deflate
@@ -130,4 +130,4 @@ std::string ZipArchive::finish() {
   return std::move(m_bytes);
 }
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph::inline meshfile {
+namespace geargraph {
 
 /// Writes a ZIP archive into memory, piece by piece, compressed by zlib. Every entry has the format's first
 /// date (1980-01-01), so that equal contents give equal bytes. Entries and archive must be smaller than 4
@@ -44,4 +44,4 @@ class ZipArchive {
   std::unique_ptr<Deflater> m_deflater;  ///< while an entry is open
 };
 
-}  // namespace geargraph::inline meshfile
+}  // namespace geargraph

@@ -1,11 +1,11 @@
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
-#include "core/teaching/comparison/comparison_families.h"
+#include "core/teaching/derivation/comparison_families.h"
 #include "core/theory/ttgraph/notation.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 /// Both methods side by side [AU, section 5], counted on this mechanism.
@@ -181,4 +181,4 @@ void addComparisonPart(Report& report, const AnalysisSnapshot& snapshot, const s
   if (!stop.stop_requested()) ComparisonPart(report, snapshot, stop).add();
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -1,15 +1,15 @@
 #include <unordered_map>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/teaching/derivation/matrix_text.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 /// In one of two texts that are marked by toTranslate(), by their number, which is %1.
-std::string counted(int count, const char* one, const char* many) {
+std::string countedElements(int count, const char* one, const char* many) {
   return filled(translated(count == 1 ? one : many), {std::to_string(count)});
 }
 
@@ -30,10 +30,12 @@ class DigraphPart : private ReportPart {
         "It has %1, %2 and %3, $k = t + c = %4$ joints in all. The ground is link 0; the other links, the "
         "turning "
         "joints and the meshes are numbered on from there.",
-        {counted(n, toTranslate("$%1$ moving link ($n = %1$)"), toTranslate("$%1$ moving links ($n = %1$)")),
-         counted(t, toTranslate("$%1$ turning joint ($t = %1$)"),
-                 toTranslate("$%1$ turning joints ($t = %1$)")),
-         counted(c, toTranslate("$%1$ gear mesh ($c = %1$)"), toTranslate("$%1$ gear meshes ($c = %1$)")),
+        {countedElements(n, toTranslate("$%1$ moving link ($n = %1$)"),
+                         toTranslate("$%1$ moving links ($n = %1$)")),
+         countedElements(t, toTranslate("$%1$ turning joint ($t = %1$)"),
+                         toTranslate("$%1$ turning joints ($t = %1$)")),
+         countedElements(c, toTranslate("$%1$ gear mesh ($c = %1$)"),
+                         toTranslate("$%1$ gear meshes ($c = %1$)")),
          std::to_string(t + c)}));
     addLinks();
     addJoints();
@@ -139,4 +141,4 @@ void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot) {
   part.addMatrices();
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

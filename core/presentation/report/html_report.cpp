@@ -1,10 +1,10 @@
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/report/mathml.h"
 #include "core/presentation/report/report.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kStyle = R"(
@@ -147,4 +147,4 @@ std::string reportHtmlBlocks(const std::vector<ReportBlock>& blocks) {
   return text;
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/presentation/report/report_words.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kBegin = R"(\documentclass[a4paper,10pt]{article}
@@ -126,4 +126,4 @@ std::string reportLatex(const Report& report) {
   return text + "\\end{document}\n";
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

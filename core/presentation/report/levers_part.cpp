@@ -1,10 +1,10 @@
-#include "core/foundations/base/words.h"
-#include "core/presentation/lever_drawing/lever_words.h"
+#include "core/foundations/base/translation.h"
+#include "core/presentation/diagrams/lever_words.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/levers/lever_motion.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 /// The lever analogy: places of links on their levers, and speeds that are affine in the place.
@@ -63,4 +63,4 @@ void addLeversPart(Report& report, const AnalysisSnapshot& snapshot, const std::
   LeversPart(report, snapshot, *std::move(plan)).add();
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/presentation/report/report_words.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 /// What Markdown or HTML would read as a mark is kept as it is written.
@@ -67,4 +67,4 @@ std::string reportMarkdown(const Report& report) {
   return text;
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -1,9 +1,9 @@
 #include "core/presentation/report/mathml.h"
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/presentation/typeset/tex_reader.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 std::string elementOf(const FormulaNode& node);
@@ -81,4 +81,4 @@ std::string mathMl(std::string_view tex) {
   return partsOf(formulaOf(tex));
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

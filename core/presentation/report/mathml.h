@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline report {
+namespace geargraph {
 
 /// A formula in core's subset of TeX (tex_reader.h) as MathML Core: the content of a <math> element. Rules of
 /// arrays are classes: "bar" left of a cell, "rule" above it.
@@ -11,4 +11,4 @@ namespace geargraph::inline report {
 /// Cost: linear in its length.
 [[nodiscard]] std::string mathMl(std::string_view tex);
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

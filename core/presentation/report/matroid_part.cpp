@@ -1,12 +1,12 @@
 #include <numeric>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 class MatroidPart : private ReportPart {
@@ -88,8 +88,8 @@ class MatroidPart : private ReportPart {
   [[nodiscard]] bool hasOffsetAngles() const {
     const Placement& placement = m_snapshot.kinematics->placement();
     const int classes = static_cast<int>(placement.classes->classes.size());
-    for (ClassOrdinal axisClass = 0; axisClass < classes; ++axisClass)
-      if (!exactLineOfClass(*m_snapshot.mechanism, placement, axisClass).direction[0].isZero()) return false;
+    for (AxisGroupOrdinal axisGroup = 0; axisGroup < classes; ++axisGroup)
+      if (!exactLineOfClass(*m_snapshot.mechanism, placement, axisGroup).direction[0].isZero()) return false;
     return true;
   }
 
@@ -183,7 +183,7 @@ class MatroidPart : private ReportPart {
         "below those of the meshes, which stay as they are."));
     ReportTable table{{translated("Coupling"), translated("Equation")}, {}};
     for (const KinematicModel::HeldRow& row : held) {
-      const Coupling& coupling = m_snapshot.mechanism->couplings[row.coupling];
+      const ShiftElement& coupling = m_snapshot.mechanism->couplings[row.coupling];
       std::string sum;
       for (const KinematicModel::HeldRow::Term& term : row.joints) {
         sum += term.factor < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
@@ -337,4 +337,4 @@ void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop
   if (snapshot->matroid() != nullptr && !stop.stop_requested()) MatroidPart(report, snapshot, stop).add();
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -1,12 +1,12 @@
 #include "core/presentation/report/report.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 void addDiagnostics(Report& report, const AnalysisSnapshot& snapshot) {
@@ -60,4 +60,4 @@ std::optional<ReportForm> reportFormFromName(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

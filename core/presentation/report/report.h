@@ -9,12 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/drawing/curve_chart.h"
 #include "core/presentation/drawing/display_list.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 
 /// A part of a sentence: words, or a formula in core's subset of TeX (tex_reader.h).
 struct ReportSpan {
@@ -125,4 +125,4 @@ enum class ReportForm { markdown, latex, html };
 /// Markdown with formulas between dollar signs, as GitHub, Jupyter and Pandoc read it; without drawings.
 [[nodiscard]] std::string reportMarkdown(const Report& report);
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/graph/paper_equation.h"
 #include "core/presentation/report/report.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 
 // The parts of a report, each as far as the snapshot allows; meaningless if `stop` was requested meanwhile.
 
@@ -59,4 +59,4 @@ class ReportPart {
   std::stop_token m_stop;
 };
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -1,11 +1,11 @@
 #include "core/presentation/report/report_words.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 
 void ReportPart::paragraph(std::string_view text) {
   put(ReportParagraph{reportWords(text)});
@@ -126,4 +126,4 @@ std::string citedEquations(const std::vector<int>& numbers) {
   return listed(names, kAllNames);
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/presentation/report/report.h"
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 
 // Functions for sentences and formulas of a report.
 
@@ -43,4 +43,4 @@ constexpr int kMaxReportRows = 80;
 /// "(35), (28) and (39)"
 [[nodiscard]] std::string citedEquations(const std::vector<int>& numbers);
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

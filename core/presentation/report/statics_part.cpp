@@ -1,15 +1,15 @@
 #include <algorithm>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/statics/statics_report.h"
 #include "core/theory/ttgraph/notation.h"
 #include "core/theory/ttgraph/tt_statics.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 class StaticsPart : private ReportPart {
@@ -76,7 +76,7 @@ class StaticsPart : private ReportPart {
   }
 
   /// "T_{A}" of an engaged coupling; by its position where its name is no word of a formula.
-  [[nodiscard]] std::string couplingName(CouplingOrdinal coupling) const {
+  [[nodiscard]] std::string couplingName(ShiftElementOrdinal coupling) const {
     const std::string& id = m_mechanism.couplings[coupling].id.text();
     const bool isWord = !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
       return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
@@ -334,7 +334,7 @@ class StaticsPart : private ReportPart {
             ? translated("Torque by torque, both methods give the same fractions: all %1 entries agree.",
                          {std::to_string(m_statics.agreement->compared)})
             : translated("The two methods differ by up to %1 N m.",
-                         {spokenNumber(shortDecimal(m_statics.agreement->largestDifference.number()))}));
+                         {localizedNumber(shortDecimal(m_statics.agreement->largestDifference.number()))}));
     if (!inSymbols) return;
     paragraph(
         *inSymbols
@@ -364,4 +364,4 @@ void addStaticsPart(Report& report, const AnalysisSnapshot& snapshot, const std:
   StaticsPart(report, snapshot, *statics, stop).add();
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -2,14 +2,14 @@
 #include <map>
 #include <numeric>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 #include "core/theory/ttgraph/equations.h"
 #include "core/theory/ttgraph/mesh_words.h"
 
-namespace geargraph::inline report {
+namespace geargraph {
 namespace {
 
 class TtGraphPart : private ReportPart {
@@ -246,4 +246,4 @@ void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std:
   if (isDefined && !stop.stop_requested()) TtGraphPart(report, snapshot, stop).add();
 }
 
-}  // namespace geargraph::inline report
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kCrossing = 400;  ///< px of detour that one crossing is worth
@@ -49,17 +49,17 @@ std::vector<double> merged(std::vector<double> exact, const std::vector<double>&
 
 // --- weights ---
 
-double squareToSegment(SheetPoint p, SheetPoint from, SheetPoint to) {
-  const SheetPoint along = to - from;
+double squareToSegment(CanvasPoint p, CanvasPoint from, CanvasPoint to) {
+  const CanvasPoint along = to - from;
   const double square = dot(along, along);
   const double share = square > 0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0;
-  const SheetPoint away = from + share * along - p;
+  const CanvasPoint away = from + share * along - p;
   return dot(away, away);
 }
 
 /// The square of the distance between a slanting line and an edge of the grid (from its lesser end to its
 /// greater).
-double squareApart(const LinkLine& line, SheetPoint from, SheetPoint to) {
+double squareApart(const LinkLine& line, CanvasPoint from, CanvasPoint to) {
   const Extent box = Extent::spanning(from, to);
   if (box.meetsSegment(line.from, line.to)) return 0;
   return std::min({squareToSegment(line.from, from, to), squareToSegment(line.to, from, to),
@@ -81,19 +81,19 @@ double stretchBeside(double least, double most, double a, double b) {
 
 /// Bounds of the square of the distance between a line and an edge, those across and along the sheet being
 /// added: most often they tell already what the edge costs.
-struct Bounds {
+struct GridBounds {
   double least = 0;   ///< of the box about the line
   double ofFrom = 0;  ///< of its ends
   double ofTo = 0;
 
-  Bounds() = default;
-  Bounds(double low, double high, double from, double to) {
+  GridBounds() = default;
+  GridBounds(double low, double high, double from, double to) {
     const auto square = [](double v) { return v * v; };
     least = square(gapBetween(low, high, from, to));
     ofFrom = square(gapBetween(low, high, from, from));
     ofTo = square(gapBetween(low, high, to, to));
   }
-  friend Bounds operator+(Bounds a, const Bounds& b) {
+  friend GridBounds operator+(GridBounds a, const GridBounds& b) {
     a.least += b.least;
     a.ofFrom += b.ofFrom;
     a.ofTo += b.ofTo;
@@ -194,17 +194,17 @@ class EdgeWeigher {
 
   void addSlanting(const LinkLine& line, const Range& range, bool level) {
     const auto& [xs, ys] = m_grid;
-    const SheetPoint along = unit(line.to - line.from);
+    const CanvasPoint along = unit(line.to - line.from);
     const bool runsAlong = std::abs(level ? along.y : along.x) < 0.3;
     const std::size_t right = level ? 1 : 0, down = level ? 0 : 1;
     m_bounds.resize(m_grid.columns());
     for (std::size_t c = range.left; c < range.right; ++c)
-      m_bounds[c] = Bounds(xs[c], xs[c + right], line.from.x, line.to.x);
+      m_bounds[c] = GridBounds(xs[c], xs[c + right], line.from.x, line.to.x);
     for (std::size_t r = range.top; r < range.bottom; ++r) {
-      const Bounds ofRow(ys[r], ys[r + down], line.from.y, line.to.y);
+      const GridBounds ofRow(ys[r], ys[r + down], line.from.y, line.to.y);
       double* const weights = (level ? m_weights.level : m_weights.upright).data() + r * m_grid.columns();
       for (std::size_t c = range.left; c < range.right; ++c) {
-        const SheetPoint from{xs[c], ys[r]}, to{xs[c + right], ys[r + down]};
+        const CanvasPoint from{xs[c], ys[r]}, to{xs[c + right], ys[r + down]};
         const double stretch = !runsAlong ? 0
                                : level    ? stretchBeside(from.x, to.x, line.from.x, line.to.x)
                                           : stretchBeside(from.y, to.y, line.from.y, line.to.y);
@@ -219,7 +219,7 @@ class EdgeWeigher {
   std::vector<double> m_square;  ///< by column: of the distance along the rows
   std::vector<double> m_touch;   ///< by column: the weights on a line and beside it
   std::vector<double> m_near;
-  std::vector<Bounds> m_bounds;  ///< by column: along the rows
+  std::vector<GridBounds> m_bounds;  ///< by column: along the rows
 };
 
 }  // namespace
@@ -228,7 +228,7 @@ std::size_t firstFrom(const std::vector<double>& values, double v) {
   return static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), v) - values.begin());
 }
 
-std::optional<std::size_t> ArmGrid::nodeAt(SheetPoint p) const {
+std::optional<std::size_t> ArmGrid::nodeAt(CanvasPoint p) const {
   const std::size_t column = firstFrom(xs, p.x - 1e-3);
   const std::size_t row = firstFrom(ys, p.y - 1e-3);
   if (column >= xs.size() || row >= ys.size()) return std::nullopt;
@@ -265,7 +265,7 @@ void ArmLanes::follow(const std::vector<LinkLine>& lines) {
     if (line.penalty < 0) continue;  // arms may begin on the others
     const bool upright = std::abs(line.from.x - line.to.x) < 1e-6;
     const bool level = std::abs(line.from.y - line.to.y) < 1e-6;
-    for (const SheetPoint p : {line.from, line.to}) {
+    for (const CanvasPoint p : {line.from, line.to}) {
       (level ? m_x.preferred : m_x.exact).push_back(p.x);
       (upright ? m_y.preferred : m_y.exact).push_back(p.y);
     }
@@ -276,10 +276,10 @@ void ArmLanes::follow(const std::vector<LinkLine>& lines) {
   arrange(m_y.preferred, preferredY);
 }
 
-ArmGrid ArmLanes::gridWith(const std::vector<SheetPoint>& ends) const {
+ArmGrid ArmLanes::gridWith(const std::vector<CanvasPoint>& ends) const {
   const double apart = m_known > kLarge ? kLeastLaneInLarge : kLeastLane;
   std::vector<double> exactX = m_x.exact, exactY = m_y.exact;
-  for (const SheetPoint p : ends) {
+  for (const CanvasPoint p : ends) {
     exactX.push_back(p.x);
     exactY.push_back(p.y);
   }
@@ -298,4 +298,4 @@ void ArmEdgeWeights::add(const ArmGrid& grid, const std::vector<LinkLine>& lines
   }
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

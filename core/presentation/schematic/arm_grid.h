@@ -5,12 +5,12 @@
 
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// A line on the sheet and its link.
 struct LinkLine {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   int link = 0;
   /// The cost of connecting an arm of the link here; below 0: no arm begins here.
   double penalty = 0;
@@ -24,10 +24,10 @@ struct ArmGrid {
   [[nodiscard]] std::size_t columns() const { return xs.size(); }
   [[nodiscard]] std::size_t rows() const { return ys.size(); }
   [[nodiscard]] std::size_t nodes() const { return xs.size() * ys.size(); }
-  [[nodiscard]] SheetPoint place(std::size_t node) const {
+  [[nodiscard]] CanvasPoint place(std::size_t node) const {
     return {xs[node % xs.size()], ys[node / xs.size()]};
   }
-  [[nodiscard]] std::optional<std::size_t> nodeAt(SheetPoint p) const;
+  [[nodiscard]] std::optional<std::size_t> nodeAt(CanvasPoint p) const;
   /// All nodes on a line, row by row.
   [[nodiscard]] std::vector<std::size_t> nodesOn(const LinkLine& line) const;
 };
@@ -41,7 +41,7 @@ class ArmLanes {
   /// Adds the lines that are new since the last call. Cost: O(m log m) for m new ones, and O(all).
   void follow(const std::vector<LinkLine>& lines);
   /// `ends`: further points where courses have to begin or end. Cost: O(lines).
-  [[nodiscard]] ArmGrid gridWith(const std::vector<SheetPoint>& ends) const;
+  [[nodiscard]] ArmGrid gridWith(const std::vector<CanvasPoint>& ends) const;
 
  private:
   /// All ascending.
@@ -65,4 +65,4 @@ struct ArmEdgeWeights {
   void add(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
 };
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

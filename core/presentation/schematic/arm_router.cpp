@@ -2,23 +2,23 @@
 
 #include <algorithm>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
-ArmGrid gridOf(const std::vector<LinkLine>& lines, const std::vector<SheetPoint>& ends) {
+ArmGrid gridOf(const std::vector<LinkLine>& lines, const std::vector<CanvasPoint>& ends) {
   ArmLanes lanes;
   lanes.follow(lines);
   return lanes.gridWith(ends);
 }
 
 /// Without the places at which a way runs straight on.
-std::vector<SheetPoint> bendsOf(const ArmGrid& grid, const std::vector<std::size_t>& nodes) {
-  std::vector<SheetPoint> places;
+std::vector<CanvasPoint> bendsOf(const ArmGrid& grid, const std::vector<std::size_t>& nodes) {
+  std::vector<CanvasPoint> places;
   for (const std::size_t node : nodes) {
-    const SheetPoint p = grid.place(node);
+    const CanvasPoint p = grid.place(node);
     if (places.empty() || distance(places.back(), p) > 1e-6) places.push_back(p);
   }
-  std::vector<SheetPoint> bends;
+  std::vector<CanvasPoint> bends;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool straight =
         i > 0 && i + 1 < places.size() &&
@@ -30,7 +30,7 @@ std::vector<SheetPoint> bendsOf(const ArmGrid& grid, const std::vector<std::size
 
 }  // namespace
 
-ArmRouter::ArmRouter(std::vector<LinkLine> lines, const std::vector<SheetPoint>& ends)
+ArmRouter::ArmRouter(std::vector<LinkLine> lines, const std::vector<CanvasPoint>& ends)
     : m_grid(gridOf(lines, ends)), m_lines(std::move(lines)) {}
 
 void ArmRouter::begin(ArmGrid grid, const std::vector<LinkLine>& lines) {
@@ -38,7 +38,7 @@ void ArmRouter::begin(ArmGrid grid, const std::vector<LinkLine>& lines) {
   m_lines = lines;
 }
 
-ArmRouter::Course ArmRouter::courseThrough(std::vector<SheetPoint> points, int link) const {
+ArmRouter::Course ArmRouter::courseThrough(std::vector<CanvasPoint> points, int link) const {
   Course course;
   course.points = std::move(points);
   for (std::size_t i = 1; i < course.points.size(); ++i) {
@@ -53,7 +53,7 @@ ArmRouter::Course ArmRouter::courseThrough(std::vector<SheetPoint> points, int l
 }
 
 std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<LinkLine>& starts,
-                                                  const std::vector<SheetPoint>& targets,
+                                                  const std::vector<CanvasPoint>& targets,
                                                   const std::vector<double>& prices,
                                                   const std::stop_token& stop) {
   m_weights.add(m_grid, m_lines, link);
@@ -78,4 +78,4 @@ std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<Li
   return course;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/arm_search.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// Routes arms between the existing lines: with horizontal and vertical segments only, few bends, and
 /// crossing lines of other links only where a detour is impossible.
@@ -10,13 +10,13 @@ class ArmRouter {
  public:
   ArmRouter() = default;
   /// `ends`: further points where courses have to begin or end.
-  ArmRouter(std::vector<LinkLine> lines, const std::vector<SheetPoint>& ends);
+  ArmRouter(std::vector<LinkLine> lines, const std::vector<CanvasPoint>& ends);
 
   /// Resets the router, reusing its memory.
   void begin(ArmGrid grid, const std::vector<LinkLine>& lines);
 
   struct Course {
-    std::vector<SheetPoint> points;
+    std::vector<CanvasPoint> points;
     double length = 0;
     int crossings = 0;       ///< lines of other links
     std::size_t target = 0;  ///< position of the target reached
@@ -28,12 +28,12 @@ class ArmRouter {
   /// added to the link's lines. Cost: O(b m), m the nodes of the grid and b the bends of the courses, 30 µs
   /// for a thousand nodes.
   [[nodiscard]] std::optional<Course> route(int link, const std::vector<LinkLine>& starts,
-                                            const std::vector<SheetPoint>& targets,
+                                            const std::vector<CanvasPoint>& targets,
                                             const std::vector<double>& prices = {},
                                             const std::stop_token& stop = {});
 
  private:
-  [[nodiscard]] Course courseThrough(std::vector<SheetPoint> points, int link) const;
+  [[nodiscard]] Course courseThrough(std::vector<CanvasPoint> points, int link) const;
 
   ArmGrid m_grid;
   std::vector<LinkLine> m_lines;
@@ -41,4 +41,4 @@ class ArmRouter {
   ArmSearch m_search;
 };
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kBend = 30;
@@ -47,7 +47,7 @@ void ArmSearch::lookAhead() {
   m_columnAhead.assign(m_grid->columns(), kFar);
   m_rowAhead.assign(m_grid->rows(), kFar);
   for (const Target& target : m_targets) {
-    const SheetPoint place = m_grid->place(target.node);
+    const CanvasPoint place = m_grid->place(target.node);
     for (std::size_t c = 0; c < m_grid->columns(); ++c)
       m_columnAhead[c] = std::min(m_columnAhead[c], std::abs(m_grid->xs[c] - place.x) + target.price);
     for (std::size_t r = 0; r < m_grid->rows(); ++r)
@@ -225,4 +225,4 @@ std::optional<ArmSearch::Way> ArmSearch::cheapest(const std::stop_token& stop) {
   return way;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

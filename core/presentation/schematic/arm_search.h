@@ -5,7 +5,7 @@
 
 #include "core/presentation/schematic/arm_grid.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// Searches a grid for the cheapest path of an arm from start nodes to a target node.
 ///
@@ -79,4 +79,4 @@ class ArmSearch {
   double m_most = kFar;               ///< paths above this cost are pruned
 };
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

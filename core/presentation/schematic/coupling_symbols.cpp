@@ -8,7 +8,7 @@
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/section_symbols.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kPlateHalf = 8;
@@ -21,15 +21,15 @@ constexpr int kDepth = kLineDepth + 2;
 
 /// Two plates that face each other: the first on a stem from `foot`, which lies on a line of its link.
 struct Plates {
-  SheetPoint foot;
-  SheetPoint way;   ///< from the foot to the plates, a unit vector
+  CanvasPoint foot;
+  CanvasPoint way;  ///< from the foot to the plates, a unit vector
   double stem = 0;  ///< from the foot to the first plate
   double cost = 1e300;
-  [[nodiscard]] SheetPoint at(double beyond) const { return foot + (stem + beyond) * way; }
+  [[nodiscard]] CanvasPoint at(double beyond) const { return foot + (stem + beyond) * way; }
 };
 
-Extent boxOf(SheetPoint from, SheetPoint to, double half, SheetPoint way) {
-  const SheetPoint across = half * turned(way);
+Extent boxOf(CanvasPoint from, CanvasPoint to, double half, CanvasPoint way) {
+  const CanvasPoint across = half * turned(way);
   return Extent::spanning(from - across, from + across).united(Extent::spanning(to - across, to + across));
 }
 
@@ -43,7 +43,7 @@ class CouplingPlacer {
         m_stop(stop),
         m_taken(obstaclesOf(section, 120)) {}
 
-  void add(const Coupling& coupling) {
+  void add(const ShiftElement& coupling) {
     std::vector<int> links;
     for (const LinkId id : coupling.links) {
       const auto& all = m_part.mechanism.links;
@@ -54,7 +54,7 @@ class CouplingPlacer {
     }
     m_coupling = coupling.id;
     m_isEngaged = isEngaged(m_part.mechanism, coupling.id);
-    if (coupling.kind == CouplingKind::brake) {
+    if (coupling.kind == ShiftElementKind::brake) {
       addBrake(links[0]);
     } else if (!addFacing(links[0], links[1])) {
       addRoundabout(links[0], links[1]);
@@ -63,7 +63,7 @@ class CouplingPlacer {
 
  private:
   /// Does a half section leave this side of the axis empty?
-  [[nodiscard]] bool isLeftOut(SheetPoint p) const {
+  [[nodiscard]] bool isLeftOut(CanvasPoint p) const {
     return std::any_of(m_layout.axes.begin(), m_layout.axes.end(),
                        [&](const SheetAxis& axis) { return axis.half && axis.heightOf(p) < -1; });
   }
@@ -71,7 +71,7 @@ class CouplingPlacer {
   /// What plates at a foot cost: their stem, and a side of the axis that is left out. `beyond`: what stands
   /// behind the second plate.
   [[nodiscard]] bool isFree(const Plates& plates, double beyond) const {
-    const SheetPoint behind = plates.at(kPlateGap + beyond);
+    const CanvasPoint behind = plates.at(kPlateGap + beyond);
     return !m_taken.touches(boxOf(plates.at(0), behind, kPlateHalf, plates.way), kClear) &&
            !m_taken.touches(boxOf(plates.foot + 4.0 * plates.way, plates.at(0), 1, plates.way), 1.5);
   }
@@ -83,7 +83,7 @@ class CouplingPlacer {
     for (const double stem : kStems) {
       for (const LinkLine& line : m_section.lines) {
         if (line.link != link || line.penalty < 0 || distance(line.from, line.to) < 2 * kSample) continue;
-        const SheetPoint along = unit(line.to - line.from);
+        const CanvasPoint along = unit(line.to - line.from);
         const double whole = distance(line.from, line.to);
         for (double at = kSample; at <= whole - kSample / 2; at += kSample) {
           for (const double side : {1.0, -1.0}) {
@@ -104,7 +104,7 @@ class CouplingPlacer {
 
   // --- what is drawn ---
 
-  void stroke(std::vector<SheetPoint> points, const Tint& tint, double width) {
+  void stroke(std::vector<CanvasPoint> points, const Tint& tint, double width) {
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Curve chord = Curve::straight(points[i - 1], points[i]);
       m_section.outlines.push_back({m_coupling, kDepth, chord, 4});
@@ -114,8 +114,8 @@ class CouplingPlacer {
                                Stroke{Polyline{std::move(points), false}, tint, width, Dash::solid}});
   }
   [[nodiscard]] Tint tintOf(int link) const { return m_part.tintOf(link); }
-  void plate(SheetPoint middle, SheetPoint way, const Tint& tint) {
-    const SheetPoint across = kPlateHalf * turned(way);
+  void plate(CanvasPoint middle, CanvasPoint way, const Tint& tint) {
+    const CanvasPoint across = kPlateHalf * turned(way);
     stroke({middle - across, middle + across}, tint, kPlateWidth);
   }
   void anchor(const Plates& plates) {
@@ -125,8 +125,8 @@ class CouplingPlacer {
                                         ColorRole::ink, 2 * kPlateHalf - 2, Dash::solid}});
     }
     Section::Anchors anchors{m_coupling, {}};
-    const SheetPoint middle = plates.at(kPlateGap / 2);
-    const SheetPoint across = kPlateHalf * turned(plates.way);
+    const CanvasPoint middle = plates.at(kPlateGap / 2);
+    const CanvasPoint across = kPlateHalf * turned(plates.way);
     anchors.places = {middle + across, middle - across, middle};
     m_section.couplings.push_back(std::move(anchors));
   }
@@ -137,9 +137,9 @@ class CouplingPlacer {
     const Plates& plates = places.front();
     stroke({plates.foot, plates.at(0)}, tintOf(link), kLinkWidth);
     plate(plates.at(0), plates.way, tintOf(link));
-    const SheetPoint base = plates.at(kPlateGap);
+    const CanvasPoint base = plates.at(kPlateGap);
     plate(base, plates.way, tintOf(0));
-    const SheetPoint across = kPlateHalf * turned(plates.way);
+    const CanvasPoint across = kPlateHalf * turned(plates.way);
     for (auto& points : hatching(base - across, base + across, plates.way)) {
       m_taken.addCurve(Curve::straight(points.front(), points.back()));
       m_section.marks.push_back(
@@ -157,19 +157,19 @@ class CouplingPlacer {
     double gap = 0;
     for (const LinkLine& a : m_section.lines) {
       if (a.link != one || distance(a.from, a.to) < kSample) continue;
-      const SheetPoint along = unit(a.to - a.from);
+      const CanvasPoint along = unit(a.to - a.from);
       for (const LinkLine& b : m_section.lines) {
         if (b.link != other || std::abs(dot(unit(b.to - b.from), turned(along))) > 1e-3) continue;
         const double away = dot(b.from - a.from, turned(along));
         if (std::abs(away) < kNearest || std::abs(away) > std::min(kMaxDistance, best.cost)) continue;
-        const SheetPoint way = (away < 0 ? -1.0 : 1.0) * turned(along);
+        const CanvasPoint way = (away < 0 ? -1.0 : 1.0) * turned(along);
         const double b0 = dot(b.from - a.from, along);
         const double b1 = dot(b.to - a.from, along);
         const double low = std::max(0.0, std::min(b0, b1)) + 2;
         const double high = std::min(distance(a.from, a.to), std::max(b0, b1)) - 2;
         for (double at = low; at <= high; at += kSample) {
           const Plates plates{a.from + at * along, way, (std::abs(away) - kPlateGap) / 2, std::abs(away)};
-          const SheetPoint end = plates.foot + (std::abs(away) - 4) * way;
+          const CanvasPoint end = plates.foot + (std::abs(away) - 4) * way;
           if (!isFree(plates, 0) || m_taken.touches(boxOf(plates.at(kPlateGap), end, 1, way), 1.5)) continue;
           if (plates.cost >= best.cost) continue;
           best = plates;
@@ -189,14 +189,14 @@ class CouplingPlacer {
       int holder = 0;
       int reacher = 0;
       Plates plates;
-      std::vector<SheetPoint> course;
+      std::vector<CanvasPoint> course;
     };
     std::optional<Found> best;
     double least = 1e300;
     m_lanes.follow(m_section.lines);
     for (const auto& [holder, reacher] : {std::pair(one, other), std::pair(other, one)}) {
       const std::vector<Plates> places = placesAt(holder, kBeyondPlate, kMaxTried);
-      std::vector<SheetPoint> ends;
+      std::vector<CanvasPoint> ends;
       std::vector<double> prices;
       for (const Plates& plates : places) {
         ends.push_back(plates.at(kPlateGap + kBeyondPlate));
@@ -212,14 +212,14 @@ class CouplingPlacer {
       best = Found{holder, reacher, plates, course->points};
     }
     if (!best) return;
-    std::vector<SheetPoint> arm = std::move(best->course);
-    const SheetPoint end = best->plates.at(kPlateGap + kBeyondPlate);
+    std::vector<CanvasPoint> arm = std::move(best->course);
+    const CanvasPoint end = best->plates.at(kPlateGap + kBeyondPlate);
     if (distance(arm.front(), end) < distance(arm.back(), end)) std::reverse(arm.begin(), arm.end());
     arm.push_back(best->plates.at(kPlateGap));
     drawClutch(best->holder, best->reacher, best->plates, std::move(arm));
   }
 
-  void drawClutch(int one, int other, const Plates& plates, std::vector<SheetPoint> arm) {
+  void drawClutch(int one, int other, const Plates& plates, std::vector<CanvasPoint> arm) {
     stroke({plates.foot, plates.at(0)}, tintOf(one), kLinkWidth);
     plate(plates.at(0), plates.way, tintOf(one));
     plate(plates.at(kPlateGap), plates.way, tintOf(other));
@@ -245,10 +245,10 @@ void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& sec
                   const std::stop_token& stop) {
   if (part.mechanism.couplings.empty() || section.marks.empty()) return;
   CouplingPlacer placer(part, layout, section, stop);
-  for (const Coupling& coupling : part.mechanism.couplings) {
+  for (const ShiftElement& coupling : part.mechanism.couplings) {
     if (stop.stop_requested()) return;
     placer.add(coupling);
   }
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/section.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// Draws the brakes and clutches of a part into free places of its section: two plates that face each other,
 /// one on the link, the other on a hatched piece of the frame, or on the other link. A clutch is placed where
@@ -11,4 +11,4 @@ namespace geargraph::inline schematic {
 void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& section,
                   const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

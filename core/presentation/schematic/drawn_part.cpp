@@ -5,7 +5,7 @@
 
 #include "core/mechanism/placement/planet_groups.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 using Positions = std::unordered_map<LinkId, std::size_t>;
@@ -47,9 +47,9 @@ Reached reachedFromGround(const Mechanism& mechanism, const Positions& positions
 }
 
 /// Takes elements out of a part, keeping its labels in step.
-class Thinner {
+class PartFilter {
  public:
-  explicit Thinner(DrawnPart& part) : m_part(part) {}
+  explicit PartFilter(DrawnPart& part) : m_part(part) {}
 
   void keep(const std::vector<bool>& links, const std::vector<bool>& joints,
             const std::vector<bool>& meshes) {
@@ -112,7 +112,7 @@ void dropUntied(DrawnPart& part) {
     const bool tied = reached.links[positions.at(m.turningJoints[j].tail)];
     if (!reached.joints[j] && tied) part.closing.push_back(part.jointLabels[j]);
   }
-  Thinner(part).keep(reached.links, reached.joints, meshesBetween(m, positions, reached.links));
+  PartFilter(part).keep(reached.links, reached.joints, meshesBetween(m, positions, reached.links));
 }
 
 void omitIdentical(DrawnPart& part, const PlacedMechanism& placed) {
@@ -141,7 +141,7 @@ void omitIdentical(DrawnPart& part, const PlacedMechanism& placed) {
     }
     part.planets.push_back(std::move(planets));
   }
-  Thinner(part).keep(links, joints, meshesBetween(m, positionsOf(m), links));
+  PartFilter(part).keep(links, joints, meshesBetween(m, positionsOf(m), links));
 }
 
 }  // namespace
@@ -158,4 +158,4 @@ DrawnPart drawnPart(const PlacedMechanism& document) {
   return part;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

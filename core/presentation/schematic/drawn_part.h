@@ -5,7 +5,7 @@
 #include "core/mechanism/placement/placed_mechanism.h"
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// The part of a mechanism that a section drawing shows: the links that turning joints connect to the ground,
 /// and the first of several equal planets. Its lists are shorter than the document's, so it has the paper's
@@ -46,4 +46,4 @@ struct DrawnPart {
 /// @pre the mechanism is well formed
 [[nodiscard]] DrawnPart drawnPart(const PlacedMechanism& document);
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

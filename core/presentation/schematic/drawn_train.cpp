@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr int kNotDrawn = -2;  ///< -1 is an occupied interval of no link
@@ -65,8 +65,8 @@ class TrainFilter {
     for (std::size_t w = 0; w < whole.wheels.size(); ++w) {
       TrainWheel wheel = whole.wheels[w];
       wheel.link = drawnAt(m_links, wheel.link);
-      wheel.axisClass = drawnAt(m_classes, wheel.axisClass);
-      if (wheel.link < 0 || wheel.axisClass < 0) continue;
+      wheel.axisGroup = drawnAt(m_classes, wheel.axisGroup);
+      if (wheel.link < 0 || wheel.axisGroup < 0) continue;
       std::size_t kept = 0;
       for (std::size_t m = 0; m < wheel.meshes.size(); ++m) {
         const int mesh = drawnAt(m_meshes, wheel.meshes[m]);
@@ -105,8 +105,8 @@ class TrainFilter {
       if (m_classes[c] >= 0) drawn.axes[m_classes[c]] = axisOf(whole.axes[c]);
     }
     for (ShaftSegment shaft : whole.shafts) {
-      if (!take(m_links, shaft.link) || !take(m_classes, shaft.axisClass)) continue;
-      drawn.shaftsOn[shaft.axisClass].push_back(drawn.shafts.size());
+      if (!take(m_links, shaft.link) || !take(m_classes, shaft.axisGroup)) continue;
+      drawn.shaftsOn[shaft.axisGroup].push_back(drawn.shafts.size());
       drawn.shafts.push_back(shaft);
     }
     for (ArmPlan arm : whole.arms) {
@@ -118,15 +118,15 @@ class TrainFilter {
       if (take(m_gears, ringCarrier.gear)) drawn.ringCarriers.push_back(ringCarrier);
     }
     for (WallPlan wall : whole.walls) {
-      if (take(m_links, wall.link) && take(m_classes, wall.axisClass)) drawn.walls.push_back(wall);
+      if (take(m_links, wall.link) && take(m_classes, wall.axisGroup)) drawn.walls.push_back(wall);
     }
     for (PinPlan pin : whole.pins) {
       if (pin.home >= 0 && !take(m_classes, pin.home)) continue;
-      if (take(m_links, pin.link) && take(m_classes, pin.axisClass)) drawn.pins.push_back(pin);
+      if (take(m_links, pin.link) && take(m_classes, pin.axisGroup)) drawn.pins.push_back(pin);
     }
     for (CrossShaftBossPlan boss : whole.crossShaftBosses) {
       if (take(m_links, boss.link) && take(m_links, boss.child) && take(m_classes, boss.home) &&
-          take(m_classes, boss.axisClass))
+          take(m_classes, boss.axisGroup))
         drawn.crossShaftBosses.push_back(boss);
     }
   }
@@ -169,4 +169,4 @@ std::optional<DrawnTrain> drawnTrain(const DrawnPart& part, const DerivedGeometr
   return DrawnTrain{machine.placement(), *wheels, *arrangement};
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -3,15 +3,15 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/machine/arrangement/arrangement.h"
+#include "core/machine/body_layout/arrangement.h"
 #include "core/machine/train/train_wheels.h"
 #include "core/presentation/schematic/drawn_part.h"
 
-namespace geargraph::inline bodies {
+namespace geargraph {
 class DerivedGeometry;
-}  // namespace geargraph::inline bodies
+}  // namespace geargraph
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// The drawn part of a document's train: placement, wheels and arrangement by the positions of the part. They
 /// are those of the whole train, as in the 3D view, without the elements that the part leaves out.
@@ -29,4 +29,4 @@ struct DrawnTrain {
 [[nodiscard]] std::optional<DrawnTrain> drawnTrain(const DrawnPart& part, const DerivedGeometry& document,
                                                    const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

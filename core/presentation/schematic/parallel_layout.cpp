@@ -9,7 +9,7 @@
 #include "core/presentation/schematic/sheet_layout.h"
 #include "core/presentation/schematic/wheel_symbol.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 Vector3 narrow(const Eigen::Vector3d& v) {
@@ -17,15 +17,15 @@ Vector3 narrow(const Eigen::Vector3d& v) {
 }
 
 /// Heights for parallel axes, one neighbour after the other.
-class Roller {
+class ParallelHeights {
  public:
   /// `givenUp`: by pair, whether its wheels need not touch.
-  Roller(const SheetLayout& layout, const TrainWheels& train, const Placement& placement,
-         const std::vector<bool>& givenUp)
+  ParallelHeights(const SheetLayout& layout, const TrainWheels& train, const Placement& placement,
+                  const std::vector<bool>& givenUp)
       : m_layout(layout), m_train(train), m_placement(placement), m_height(layout.axes.size()) {
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
-      const int a = train.wheels[train.pairs[p].tail].axisClass;
-      const int b = train.wheels[train.pairs[p].head].axisClass;
+      const int a = train.wheels[train.pairs[p].tail].axisGroup;
+      const int b = train.wheels[train.pairs[p].head].axisGroup;
       if (!givenUp[p]) m_meshing.insert({std::min(a, b), std::max(a, b)});
     }
     m_placed.assign(layout.axes.size(), false);
@@ -73,8 +73,8 @@ class Roller {
       const int c = queue.front();
       queue.pop_front();
       for (const TrainPair& pair : m_train.pairs) {
-        const int a = m_train.wheels[pair.tail].axisClass;
-        const int b = m_train.wheels[pair.head].axisClass;
+        const int a = m_train.wheels[pair.tail].axisGroup;
+        const int b = m_train.wheels[pair.head].axisGroup;
         const int next = a == c ? b : a;
         if ((a != c && b != c) || m_placed[next]) continue;
         place(c, next, pair.distance);
@@ -93,7 +93,7 @@ class Roller {
 
   [[nodiscard]] bool meshes(int axis) const {
     return std::any_of(m_train.wheels.begin(), m_train.wheels.end(),
-                       [&](const TrainWheel& wheel) { return wheel.axisClass == axis; });
+                       [&](const TrainWheel& wheel) { return wheel.axisGroup == axis; });
   }
 
   /// Away from the neighbour in the direction it was placed itself; the other way where that is taken.
@@ -116,9 +116,9 @@ class Roller {
   /// Does any wheel of the axis stand in the room of another? Meshing axes will be moved apart.
   [[nodiscard]] bool isFree(int axis) const {
     for (std::size_t w = 0; w < m_train.wheels.size(); ++w) {
-      if (m_train.wheels[w].axisClass != axis) continue;
+      if (m_train.wheels[w].axisGroup != axis) continue;
       for (std::size_t v = 0; v < m_train.wheels.size(); ++v) {
-        const int other = m_train.wheels[v].axisClass;
+        const int other = m_train.wheels[v].axisGroup;
         if (other == axis || !m_placed[other]) continue;
         if (m_meshing.contains({std::min(axis, other), std::max(axis, other)})) continue;
         if (overlap(w, v)) return false;
@@ -131,7 +131,7 @@ class Roller {
     const TrainWheel& a = m_train.wheels[w];
     const TrainWheel& b = m_train.wheels[v];
     if (std::abs(m_along[w] - m_along[v]) > 0.45 * (a.spec.faceWidth + b.spec.faceWidth)) return false;
-    const double apart = std::abs(m_height[a.axisClass] - m_height[b.axisClass]);
+    const double apart = std::abs(m_height[a.axisGroup] - m_height[b.axisGroup]);
     const double slack = 0.02 * std::min(a.workingRadius, b.workingRadius);
     if (isRing(a.spec) && isRing(b.spec)) return apart < slack;
     if (isRing(a.spec)) return apart + b.workingRadius > a.workingRadius + slack;
@@ -154,7 +154,7 @@ class Roller {
   [[nodiscard]] double reach(int axis) const {
     double most = 0;
     for (const TrainWheel& wheel : m_train.wheels) {
-      if (wheel.axisClass == axis) most = std::max(most, wheel.workingRadius);
+      if (wheel.axisGroup == axis) most = std::max(most, wheel.workingRadius);
     }
     return most > 0 ? most : 5 * m_placement.module.toDouble();
   }
@@ -202,11 +202,11 @@ std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheel
   std::vector<bool> givenUp(train.pairs.size());
   for (std::size_t p = 0; p < givenUp.size(); ++p) givenUp[p] = !touches(train.pairs[p].kind);
   for (;;) {
-    Roller roller(layout, train, placement, givenUp);
+    ParallelHeights roller(layout, train, placement, givenUp);
     RadialSystem system;
     system.heights = roller.heights();
     for (const TrainWheel& wheel : train.wheels) {
-      system.wheels.push_back({wheel.axisClass, wheel.workingRadius});
+      system.wheels.push_back({wheel.axisGroup, wheel.workingRadius});
     }
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
       const TrainPair& pair = train.pairs[p];
@@ -235,7 +235,7 @@ void setPlanes(SheetLayout& layout, const std::vector<std::vector<double>>& ofWh
 void cutInHalf(SheetLayout& layout, const Placement& placement, int root) {
   if (root < 0) return;
   const auto& classes = placement.classes->classes;
-  const bool central = std::any_of(classes.begin(), classes.end(), [&](const AxisClasses::Class& c) {
+  const bool central = std::any_of(classes.begin(), classes.end(), [&](const AxisGroups::Class& c) {
     return c.rootLink != 0 && axisOfLink(placement, c.rootLink) == root;
   });
   const double level = layout.axes[root].origin.y;
@@ -306,4 +306,4 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   cutInHalf(layout, placement, root);
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

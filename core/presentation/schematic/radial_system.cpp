@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kLeastShare = 0.25;  ///< of its radius that a wheel keeps
@@ -94,4 +94,4 @@ void RadialSystem::settle(const std::stop_token& stop) {
   }
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/ordinal.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// Parallel axes unrolled into one plane: the heights of the axes and the drawn radii of the wheels.
 struct RadialSystem {
@@ -38,4 +38,4 @@ struct RadialSystem {
   [[nodiscard]] bool trySolve();
 };
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/presentation/schematic/coupling_symbols.h"
 #include "core/presentation/schematic/drawn_train.h"
 #include "core/presentation/schematic/section.h"
 #include "core/presentation/schematic/shaft_plan.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kHaloBeyond = 7;  ///< a halo is wider than its line by this
@@ -105,4 +105,4 @@ DisplayList schematicDrawing(const SchematicGeometry& geometry, const Emphases& 
   return list;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

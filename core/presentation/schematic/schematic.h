@@ -7,11 +7,11 @@
 #include "core/presentation/schematic/section_labels.h"
 #include "core/presentation/schematic/sheet_rims.h"
 
-namespace geargraph::inline bodies {
+namespace geargraph {
 class DerivedGeometry;
-}  // namespace geargraph::inline bodies
+}  // namespace geargraph
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// The functional schematic of a mechanism [AU, Figs. 1 and 3] without highlights: the section drawing of
 /// textbooks with the symbols of ISO 3952. Every mark has its element.
@@ -21,7 +21,7 @@ struct SchematicGeometry {
   std::vector<Outline> outlines;
   std::vector<DrawnPart::Represented> represented;  ///< elements represented by an equal one
   std::vector<std::string> notes;
-  SheetFrame frame;  ///< for editing on the sheet
+  CanvasFrame frame;  ///< for editing on the sheet
   std::vector<SheetRim> rims;
   bool isTooLarge = false;  ///< more than kMaxDrawnLinks: everything else is empty
 
@@ -50,4 +50,4 @@ constexpr std::size_t kMaxDrawnLinks = 201;
 /// are highlighted together.
 [[nodiscard]] DisplayList schematicDrawing(const SchematicGeometry& geometry, const Emphases& emphases);
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/presentation/schematic/section_symbols.h"
 #include "core/presentation/schematic/wheel_symbol.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kHitHalfWidth = 4;
@@ -82,26 +82,26 @@ class SectionBuilder {
     m_section.marks.push_back({element, role, z, std::move(what)});
   }
   /// A line of a link, which counts as an obstacle for others and can be hit.
-  void line(int link, SheetPoint from, SheetPoint to, double width) {
+  void line(int link, CanvasPoint from, CanvasPoint to, double width) {
     stroke(idOf(link), link, from, to, width, kLineDepth);
   }
-  void stroke(const ElementId& element, int link, SheetPoint from, SheetPoint to, double width, int z) {
+  void stroke(const ElementId& element, int link, CanvasPoint from, CanvasPoint to, double width, int z) {
     if (distance(from, to) < 1e-6) return;
     put(element, MarkRole::line, z, Stroke{Polyline{{from, to}, false}, tintOf(link), width, Dash::solid});
     m_section.outlines.push_back({element, z, Curve::straight(from, to), kHitHalfWidth});
     m_section.lines.push_back({from, to, link, m_hold});
   }
-  void hatch(const ElementId& element, SheetPoint from, SheetPoint to, SheetPoint out) {
+  void hatch(const ElementId& element, CanvasPoint from, CanvasPoint to, CanvasPoint out) {
     for (auto& points : hatching(from, to, out)) {
       put(element, MarkRole::hatching, kSymbolDepth,
           Stroke{Polyline{std::move(points), false}, ColorRole::secondary, 1.1, Dash::solid});
     }
-    const SheetPoint back = kHatching * out;
+    const CanvasPoint back = kHatching * out;
     m_section.lines.push_back({from + back, to + back, 0, kNoHold});
     const Extent box = Extent::spanning(from, to).united(Extent::spanning(from + back, to + back));
     m_section.outlines.push_back({element, kSymbolDepth, Box{box, 0}, 1});
   }
-  void anchor(Section::Anchors& anchors, SheetPoint place) { anchors.places.push_back(place); }
+  void anchor(Section::Anchors& anchors, CanvasPoint place) { anchors.places.push_back(place); }
 
   const DrawnPart& m_part;
   const Placement& m_placement;
@@ -120,8 +120,8 @@ void SectionBuilder::addShaft(const SheetShaft& shaft) {
   m_hold = shaft.turns || fixed ? 0 : kNoHold;
   for (const double side : sides(shaft.axis)) {
     if (shaft.lane == 0 && side < 0) break;
-    const SheetPoint from = on.at(shaft.low, side * height);
-    const SheetPoint to = on.at(shaft.high, side * height);
+    const CanvasPoint from = on.at(shaft.low, side * height);
+    const CanvasPoint to = on.at(shaft.high, side * height);
     line(shaft.link, from, to, shaft.turns && !fixed ? kShaftWidth : kLinkWidth);
     if (fixed) hatch(idOf(0), from, to, side * on.up);
   }
@@ -158,15 +158,15 @@ void SectionBuilder::addHelix(const SheetWheel& wheel, double side) {
   constexpr double kLength = 6, kPace = 5, kAway = 5;
   constexpr double kAlong = 0.82, kAcross = 0.57;  // of an angle that is seen, whatever the true one
   const SheetAxis& on = axis(wheel.axis);
-  const SheetPoint across{on.along.y, -on.along.x};  // to the left of the axis's direction
+  const CanvasPoint across{on.along.y, -on.along.x};  // to the left of the axis's direction
   const double height = side * (wheel.radius + (wheel.isRing() ? kAway : -kAway));
   const double middle = (wheel.barFrom.x + wheel.barTo.x) / 2;
   const int strokes = wheel.herringbone ? 4 : 3;
   for (int i = 0; i < strokes; ++i) {
     const double place = i - (strokes - 1) / 2.0;
     const int hand = wheel.herringbone && place > 0 ? -wheel.hand : wheel.hand;
-    const SheetPoint trace = kAlong * on.along - (hand * kAcross) * across;
-    const SheetPoint at = on.at(middle + kPace * place, height);
+    const CanvasPoint trace = kAlong * on.along - (hand * kAcross) * across;
+    const CanvasPoint at = on.at(middle + kPace * place, height);
     put(idOf(wheel.link), MarkRole::line, kSymbolDepth,
         Stroke{Polyline{{at - (kLength / 2) * trace, at + (kLength / 2) * trace}, false}, tintOf(wheel.link),
                1.1, Dash::solid});
@@ -180,17 +180,17 @@ void SectionBuilder::addFrame(const SheetWheel& wheel) {
   for (const double side : sides(wheel.axis)) {
     if (wheelSymbol(wheel.kind).frame == FrameSymbol::rim) {
       const double rim = side * (wheel.radius + kRimHeight);
-      const SheetPoint from = on.at(wheel.at - kHubHalf - 2, rim);
-      const SheetPoint to = on.at(wheel.at + kHubHalf + 2, rim);
+      const CanvasPoint from = on.at(wheel.at - kHubHalf - 2, rim);
+      const CanvasPoint to = on.at(wheel.at + kHubHalf + 2, rim);
       line(0, from, to, kLinkWidth);
       hatch(idOf(0), from, to, side * on.up);
     } else if (wheelSymbol(wheel.kind).frame == FrameSymbol::behind) {
-      const SheetPoint back = -10.0 * wheel.outward;
-      const SheetPoint a = wheel.barFrom + back;
-      const SheetPoint b = wheel.barTo + back;
-      const SheetPoint from = on.at(a.x, side * a.y);
-      const SheetPoint to = on.at(b.x, side * b.y);
-      const SheetPoint out =
+      const CanvasPoint back = -10.0 * wheel.outward;
+      const CanvasPoint a = wheel.barFrom + back;
+      const CanvasPoint b = wheel.barTo + back;
+      const CanvasPoint from = on.at(a.x, side * a.y);
+      const CanvasPoint to = on.at(b.x, side * b.y);
+      const CanvasPoint out =
           on.at(wheel.at + back.x, side * (wheel.radius + back.y)) - on.at(wheel.at, side * wheel.radius);
       line(0, on.at(wheel.at, side * wheel.radius), between(from, to, 0.5), kLinkWidth);
       line(0, from, to, kLinkWidth);
@@ -223,8 +223,8 @@ void SectionBuilder::addWall(const SheetWall& wall) {
 
 void SectionBuilder::addBar(const SheetBearing& bearing, double height, double out) {
   const SheetAxis& on = axis(bearing.axis);
-  const SheetPoint from = on.at(bearing.at - kBearingHalf, height);
-  const SheetPoint to = on.at(bearing.at + kBearingHalf, height);
+  const CanvasPoint from = on.at(bearing.at - kBearingHalf, height);
+  const CanvasPoint to = on.at(bearing.at + kBearingHalf, height);
   stroke(jointId(bearing.joint), bearing.parent, from, to, kLinkWidth, kSymbolDepth);
   if (bearing.parent == 0) hatch(jointId(bearing.joint), from, to, out * on.up);
 }
@@ -242,10 +242,10 @@ void SectionBuilder::addParentLine(const SheetBearing& bearing) {
 void SectionBuilder::addStraightArm(const SheetArm& arm) {
   const SheetBearing& bearing = m_plan.bearings[arm.joint];
   const SheetAxis& from = axis(arm.axis);
-  const SheetPoint end = axis(bearing.axis).at(bearing.at, 0);
+  const CanvasPoint end = axis(bearing.axis).at(bearing.at, 0);
   const double side = from.heightOf(end) < 0 ? -1 : 1;
-  const SheetPoint start = from.at(arm.at, side * laneOf(arm.axis, arm.link, arm.at));
-  const SheetPoint bar = end - (bearing.height + kBearingGap) * unit(end - start);
+  const CanvasPoint start = from.at(arm.at, side * laneOf(arm.axis, arm.link, arm.at));
+  const CanvasPoint bar = end - (bearing.height + kBearingGap) * unit(end - start);
   line(arm.link, start, bar, kLinkWidth);
   m_armLines[arm.joint].push_back({start, bar, arm.link, 0});
   anchor(m_section.links[arm.link], between(start, bar, 0.5));
@@ -261,7 +261,7 @@ void SectionBuilder::addArrow(const SheetBearing& bearing, double height) {
   put(joint, MarkRole::input, kSymbolDepth, Stroke{arrow.bow, ColorRole::input, 2, Dash::solid});
   put(joint, MarkRole::input, kSymbolDepth, Fill{Polyline{arrow.tip, true}, ColorRole::input});
   m_section.outlines.push_back({joint, kSymbolDepth, arrow.bow, kHitHalfWidth});
-  forEachChord(arrow.bow, [&](SheetPoint a, SheetPoint b) {
+  forEachChord(arrow.bow, [&](CanvasPoint a, CanvasPoint b) {
     m_section.lines.push_back({a, b, -1, kNoHold});
   });
   m_section.lines.push_back({arrow.tip[0], between(arrow.tip[1], arrow.tip[2], 0.5), -1, kNoHold});
@@ -324,7 +324,7 @@ void SectionBuilder::addArms() {
   struct Wanted {
     int link;
     const SheetArm* arm;  ///< null: it may begin anywhere on the link
-    std::vector<SheetPoint> ends;
+    std::vector<CanvasPoint> ends;
   };
   m_hold = 0;
   std::vector<Wanted> wanted;
@@ -349,7 +349,7 @@ void SectionBuilder::addArms() {
     }
     wanted.push_back(std::move(way));
   }
-  std::vector<SheetPoint> ends;
+  std::vector<CanvasPoint> ends;
   for (const Wanted& way : wanted) {
     ends.insert(ends.end(), way.ends.begin(), way.ends.end());
     if (way.arm == nullptr) continue;
@@ -361,7 +361,7 @@ void SectionBuilder::addArms() {
     const std::vector<LinkLine> starts = way.arm == nullptr ? std::vector<LinkLine>() : startsOf(*way.arm);
     const auto course = router.route(way.link, starts, way.ends, {}, m_stop);
     if (!course) continue;
-    const std::vector<SheetPoint>& points = course->points;
+    const std::vector<CanvasPoint>& points = course->points;
     for (std::size_t i = 1; i < points.size(); ++i) line(way.link, points[i - 1], points[i], kLinkWidth);
     if (way.arm != nullptr) {
       for (std::size_t i = 1; i < points.size(); ++i)
@@ -379,12 +379,12 @@ void SectionBuilder::addArms() {
 }
 
 /// Of the pitch line of a wheel through several planes, what lies beside the other's.
-std::pair<SheetPoint, SheetPoint> besideOf(const std::pair<SheetPoint, SheetPoint>& line,
-                                           const std::pair<SheetPoint, SheetPoint>& other) {
+std::pair<CanvasPoint, CanvasPoint> besideOf(const std::pair<CanvasPoint, CanvasPoint>& line,
+                                             const std::pair<CanvasPoint, CanvasPoint>& other) {
   const double length = distance(line.first, line.second);
   if (length < distance(other.first, other.second) + 1) return line;
-  const SheetPoint way = unit(line.second - line.first);
-  const auto along = [&](SheetPoint p) { return std::clamp(dot(p - line.first, way), 0.0, length); };
+  const CanvasPoint way = unit(line.second - line.first);
+  const auto along = [&](CanvasPoint p) { return std::clamp(dot(p - line.first, way), 0.0, length); };
   const double from = along(other.first), to = along(other.second);
   return to - from < 1 ? line : std::pair(line.first + from * way, line.first + to * way);
 }
@@ -393,15 +393,15 @@ std::pair<SheetPoint, SheetPoint> besideOf(const std::pair<SheetPoint, SheetPoin
 void SectionBuilder::addStrands(const SheetWheel& a, const SheetWheel& b, const GearMesh& drawn,
                                 Section::Anchors& anchors) {
   const auto middle = [&](const SheetWheel& wheel, double side) {
-    const SheetPoint bar = between(wheel.barFrom, wheel.barTo, 0.5);
+    const CanvasPoint bar = between(wheel.barFrom, wheel.barTo, 0.5);
     return axis(wheel.axis).at(bar.x, side * bar.y);
   };
   const std::vector<double> ofA = sides(a.axis), ofB = sides(b.axis);
   for (std::size_t i = 0; i < std::max(ofA.size(), ofB.size()); ++i) {
     const double side = ofA[std::min(i, ofA.size() - 1)];
     const std::size_t at = drawn.crossed && ofB.size() > 1 ? 1 - i : i;
-    const SheetPoint from = middle(a, side);
-    const SheetPoint to = middle(b, ofB[std::min(at, ofB.size() - 1)]);
+    const CanvasPoint from = middle(a, side);
+    const CanvasPoint to = middle(b, ofB[std::min(at, ofB.size() - 1)]);
     stroke(drawn.id, -1, from, to, kStrandWidth, kLineDepth);
     anchor(anchors, between(from, to, 0.5));
   }
@@ -416,9 +416,9 @@ void SectionBuilder::addMesh(const SheetPair& pair) {
                      axis(wheel.axis).at(wheel.barTo.x, side * wheel.barTo.y));
   };
   double nearest = 1e300;
-  std::pair<SheetPoint, SheetPoint> ofA;
-  std::pair<SheetPoint, SheetPoint> ofB;
-  std::vector<std::pair<SheetPoint, SheetPoint>> contacts;
+  std::pair<CanvasPoint, CanvasPoint> ofA;
+  std::pair<CanvasPoint, CanvasPoint> ofB;
+  std::vector<std::pair<CanvasPoint, CanvasPoint>> contacts;
   for (const double side : sides(a.axis)) {
     for (const double other : sides(b.axis)) {
       const auto p = besideOf(bar(a, side), bar(b, other));
@@ -441,13 +441,13 @@ void SectionBuilder::addMesh(const SheetPair& pair) {
     return;
   }
   if (contacts.empty()) {  // far apart on the sheet: a dashed bow says that they mesh
-    const SheetPoint from = ofA.first.x > ofA.second.x ? ofA.first : ofA.second;
-    const SheetPoint to = ofB.first.x > ofB.second.x ? ofB.first : ofB.second;
+    const CanvasPoint from = ofA.first.x > ofA.second.x ? ofA.first : ofA.second;
+    const CanvasPoint to = ofB.first.x > ofB.second.x ? ofB.first : ofB.second;
     const double pull = from.y < to.y ? 1 : -1;
     const Curve bow = Curve::pulled(from, to, pull * 26, pull * 26);
     put(mesh, MarkRole::line, kLineDepth, Stroke{bow, ColorRole::secondary, 1.4, Dash::dashed});
     m_section.outlines.push_back({mesh, kLineDepth, bow, kHitHalfWidth});
-    forEachChord(bow, [&](SheetPoint x, SheetPoint y) { m_section.lines.push_back({x, y, -1, kNoHold}); });
+    forEachChord(bow, [&](CanvasPoint x, CanvasPoint y) { m_section.lines.push_back({x, y, -1, kNoHold}); });
     anchor(anchors, bow.at(0.5));
   }
   for (const auto& [from, to] : contacts) {
@@ -486,8 +486,8 @@ void SectionBuilder::addAxes() {
       low = middle - kLonely;
       high = middle + kLonely;
     }
-    const SheetPoint from = on.at(low - kBeyond, 0);
-    const SheetPoint to = on.at(high + kBeyond, 0);
+    const CanvasPoint from = on.at(low - kBeyond, 0);
+    const CanvasPoint to = on.at(high + kBeyond, 0);
     const ElementId id = m_part.mechanism.axes[on.axis].id;
     put(id, MarkRole::line, kAxisDepth,
         Stroke{Polyline{{from, to}, false}, ColorRole::secondary, kAxisWidth, Dash::dashDotted});
@@ -535,4 +535,4 @@ ObstacleGrid obstaclesOf(const Section& section, double beyond) {
   return taken;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

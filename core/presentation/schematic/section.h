@@ -9,7 +9,7 @@
 #include "core/presentation/schematic/arm_grid.h"
 #include "core/presentation/schematic/shaft_plan.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// A section drawing before its labels: marks without highlights, outlines for hit tests, and anchors for
 /// labels.
@@ -23,7 +23,7 @@ struct Section {
   /// The possible places of a label, in order of preference.
   struct Anchors {
     ElementId element;
-    std::vector<SheetPoint> places;
+    std::vector<CanvasPoint> places;
   };
   ByLink<Anchors> links;    ///< of the part
   ByJoint<Anchors> joints;  //
@@ -44,4 +44,4 @@ constexpr double kAxisWidth = 1;
 /// Everything drawn as obstacles, for marks that are placed up to `beyond` px outside of the drawing.
 [[nodiscard]] ObstacleGrid obstaclesOf(const Section& section, double beyond);
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

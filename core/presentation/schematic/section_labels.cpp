@@ -5,16 +5,16 @@
 #include <numbers>
 #include <optional>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/pins.h"
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
-constexpr double kDiscRadius = 9.5;
+constexpr double kLabelDiscRadius = 9.5;
 constexpr double kNumberSize = 11;
 constexpr double kGap = 2.5;        ///< that a label keeps from everything
 constexpr double kLeaderFrom = 12;  ///< a label farther away than this has a leader
@@ -33,9 +33,9 @@ double typeScale(const Section& section) {
 constexpr int kDirections = 24;
 
 /// Unit vectors all round, in the order in which they are tried.
-const std::array<SheetPoint, kDirections>& directions() {
+const std::array<CanvasPoint, kDirections>& directions() {
   static const auto all = [] {
-    std::array<SheetPoint, kDirections> ways;
+    std::array<CanvasPoint, kDirections> ways;
     for (int k = 0; k < kDirections; ++k) {
       const double angle = 2 * std::numbers::pi * (k * 7 % kDirections) / kDirections;
       ways[static_cast<std::size_t>(k)] = {std::cos(angle), -std::sin(angle)};
@@ -52,14 +52,14 @@ class LabelPlacer {
       : m_scale(scale), m_taken(obstaclesOf(section, 60 * scale)) {}
 
   struct Place {
-    SheetPoint center;
-    SheetPoint anchor;
+    CanvasPoint center;
+    CanvasPoint anchor;
     double away = 0;  ///< from the anchor to the label's edge
   };
 
   /// The free place nearest to one of the anchors, the first ones preferred. Where there is none it lies on
   /// the first.
-  Place take(const std::vector<SheetPoint>& anchors, double halfWidth, double halfHeight, bool mayCover) {
+  Place take(const std::vector<CanvasPoint>& anchors, double halfWidth, double halfHeight, bool mayCover) {
     const std::optional<Place> place = find(anchors, halfWidth, halfHeight, mayCover);
     m_found = m_found && place;
     const Place taken = place.value_or(Place{anchors.front(), anchors.front(), 0});
@@ -73,16 +73,16 @@ class LabelPlacer {
     m_taken.addBox(box);
     m_labels.push_back(box);
   }
-  void line(SheetPoint from, SheetPoint to) { m_taken.addCurve(Curve::straight(from, to)); }
+  void line(CanvasPoint from, CanvasPoint to) { m_taken.addCurve(Curve::straight(from, to)); }
 
  private:
-  [[nodiscard]] std::optional<Place> find(const std::vector<SheetPoint>& anchors, double halfWidth,
+  [[nodiscard]] std::optional<Place> find(const std::vector<CanvasPoint>& anchors, double halfWidth,
                                           double halfHeight, bool mayCover) const {
     constexpr double kStep = 4;
     constexpr double kMaxDistance = 400;
     for (double away = 5 * m_scale; away < kMaxDistance * m_scale; away += kStep) {
-      for (const SheetPoint anchor : anchors) {
-        for (const SheetPoint way : directions()) {
+      for (const CanvasPoint anchor : anchors) {
+        for (const CanvasPoint way : directions()) {
           const double support = std::min(halfWidth / std::max(std::abs(way.x), 1e-9),
                                           halfHeight / std::max(std::abs(way.y), 1e-9));
           const Extent box{anchor + (away + support) * way, halfWidth, halfHeight};
@@ -95,7 +95,7 @@ class LabelPlacer {
     return std::nullopt;
   }
 
-  [[nodiscard]] bool leaderHits(SheetPoint from, SheetPoint to) const {
+  [[nodiscard]] bool leaderHits(CanvasPoint from, CanvasPoint to) const {
     for (const Extent& label : m_labels) {
       if (label.grown(kGap).meetsSegment(from, to)) return true;
     }
@@ -147,10 +147,10 @@ class Labeller {
 
   void leader(const ElementId& element, const LabelPlacer::Place& place, const Extent& box) {
     if (place.away < kLeaderFrom * m_scale) return;
-    const SheetPoint way = unit(place.anchor - box.center);
+    const CanvasPoint way = unit(place.anchor - box.center);
     const double support = std::min(box.halfWidth / std::max(std::abs(way.x), 1e-9),
                                     box.halfHeight / std::max(std::abs(way.y), 1e-9));
-    const SheetPoint edge = box.center + (support + 1) * way;
+    const CanvasPoint edge = box.center + (support + 1) * way;
     put(element, MarkRole::line,
         Stroke{Polyline{{edge, place.anchor}, false}, ColorRole::secondary, 0.8 * m_scale, Dash::solid},
         kLineDepth - 1);
@@ -163,7 +163,7 @@ class Labeller {
     if (link == 0 || anchors.places.empty()) return;
     const int label = m_part.linkLabels[link];
     const std::string number = std::to_string(label);
-    const double radius = kDiscRadius * m_scale;
+    const double radius = kLabelDiscRadius * m_scale;
     const double half = std::max(radius, textWidth(number, m_size, true) / 2 + 3.5 * m_scale);
     const LabelPlacer::Place place = m_placer.take(anchors.places, half, radius, false);
     const Extent box{place.center, half, radius};
@@ -294,4 +294,4 @@ SectionLabels sectionLabels(const DrawnPart& part, const Section& section,
   }
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

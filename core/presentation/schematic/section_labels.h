@@ -5,7 +5,7 @@
 
 #include "core/presentation/schematic/section.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// The labels of a section: a disc with its number for each link, the numbers of joints and meshes, the names
 /// of axes; and notes under the drawing. No label overlaps a line or another label; one at a distance from
@@ -23,4 +23,4 @@ struct SectionLabels {
 /// One sentence for everything that the drawing leaves out or shows differently from the geometry.
 [[nodiscard]] std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& layout);
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -2,37 +2,37 @@
 
 #include "core/presentation/schematic/shaft_plan.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
-std::vector<std::vector<SheetPoint>> hatching(SheetPoint from, SheetPoint to, SheetPoint out) {
+std::vector<std::vector<CanvasPoint>> hatching(CanvasPoint from, CanvasPoint to, CanvasPoint out) {
   constexpr double kStep = 6;
-  std::vector<std::vector<SheetPoint>> strokes;
-  const SheetPoint way = unit(to - from);
+  std::vector<std::vector<CanvasPoint>> strokes;
+  const CanvasPoint way = unit(to - from);
   const double whole = distance(from, to);
   const auto count = static_cast<int>(whole / kStep);
   const double start = (whole - count * kStep) / 2;
   for (int k = 0; k <= count; ++k) {
-    const SheetPoint foot = from + (start + k * kStep) * way;
+    const CanvasPoint foot = from + (start + k * kStep) * way;
     strokes.push_back({foot, foot + kHatching * out - 0.8 * kHatching * way});
   }
   return strokes;
 }
 
-TurnArrow turnArrow(SheetPoint center, SheetPoint along, double reach) {
+TurnArrow turnArrow(CanvasPoint center, CanvasPoint along, double reach) {
   constexpr double kBulge = 8;
   constexpr double kTip = 7;
-  const SheetPoint across = turned(along);
-  const SheetPoint start = center + reach * across - 0.3 * kBulge * along;
-  const SheetPoint end = center - reach * across - 0.3 * kBulge * along;
+  const CanvasPoint across = turned(along);
+  const CanvasPoint start = center + reach * across - 0.3 * kBulge * along;
+  const CanvasPoint end = center - reach * across - 0.3 * kBulge * along;
   TurnArrow arrow;
   arrow.bow = {start, start + kBulge * along - 0.1 * reach * across,
                end + kBulge * along + 0.1 * reach * across, end};
-  const SheetPoint way = arrow.bow.direction(1);
-  const SheetPoint tip = end + 0.5 * kTip * way;
+  const CanvasPoint way = arrow.bow.direction(1);
+  const CanvasPoint tip = end + 0.5 * kTip * way;
   arrow.tip = {tip, tip - kTip * way + 0.45 * kTip * turned(way),
                tip - kTip * way - 0.45 * kTip * turned(way)};
   arrow.bow = arrow.bow.part(0, 0.9);
   return arrow;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/machine/solids/gear_body.h"
 #include "core/presentation/schematic/shaft_planner.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kBetweenWalls = 9;
@@ -55,9 +55,9 @@ std::optional<double> ShaftPlanner::rimHeight(int a, int link, double coordinate
 /// in the arrangement. @pre walls of smaller radius have their heights
 double ShaftPlanner::levelHeight(const WallPlan& wall, std::size_t number) const {
   for (const double end : {wall.fromAt, wall.toAt}) {
-    if (const auto rim = rimHeight(wall.axisClass, wall.link, end, wall.fromRadius)) return *rim;
+    if (const auto rim = rimHeight(wall.axisGroup, wall.link, end, wall.fromRadius)) return *rim;
   }
-  const int a = wall.axisClass;
+  const int a = wall.axisGroup;
   const auto [low, high] = std::minmax({placeOf(a, wall.fromAt), placeOf(a, wall.toAt)});
   double height = wall.fromRadius * m_layout.scale;
   const auto passes = [&](double above) { height = std::max(height, above + kBetweenWalls); };
@@ -80,7 +80,7 @@ double ShaftPlanner::levelHeight(const WallPlan& wall, std::size_t number) const
   }
   for (std::size_t other = 0; other < arrangement.walls.size(); ++other) {
     const WallPlan& inner = arrangement.walls[other];
-    if (other == number || inner.axisClass != a || inner.fromAt == inner.toAt) continue;
+    if (other == number || inner.axisGroup != a || inner.fromAt == inner.toAt) continue;
     if (inner.fromRadius < wall.fromRadius && inner.fromAt < wall.toAt && wall.fromAt < inner.toAt)
       passes(m_levels[other]);
   }
@@ -102,22 +102,22 @@ void ShaftPlanner::layWalls() {
 
 /// The height of an end of an upright wall: that of the level wall, the ring or the pin that it joins there.
 double ShaftPlanner::heightOf(const WallPlan& wall, double coordinate, double radius) const {
-  const double same = 1e-6 * line(wall.axisClass).module;
+  const double same = 1e-6 * line(wall.axisGroup).module;
   const std::vector<WallPlan>& walls = m_train.arrangement.walls;
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const WallPlan& level = walls[w];
-    const bool joins = level.axisClass == wall.axisClass && level.link == wall.link &&
+    const bool joins = level.axisGroup == wall.axisGroup && level.link == wall.link &&
                        level.fromAt < level.toAt && level.fromAt - same <= coordinate &&
                        coordinate <= level.toAt + same && std::abs(level.fromRadius - radius) <= same;
     if (joins) return m_levels[w];
   }
-  if (const auto rim = rimHeight(wall.axisClass, wall.link, coordinate, radius)) return *rim;
+  if (const auto rim = rimHeight(wall.axisGroup, wall.link, coordinate, radius)) return *rim;
   for (const PinPlan& pin : m_train.arrangement.pins) {
     if (pin.link != wall.link) continue;
-    const Eigen::Vector3d apart = line(pin.axisClass).point - line(wall.axisClass).point;
-    const Eigen::Vector3d along = line(wall.axisClass).direction;
+    const Eigen::Vector3d apart = line(pin.axisGroup).point - line(wall.axisGroup).point;
+    const Eigen::Vector3d along = line(wall.axisGroup).direction;
     if (std::abs((apart - apart.dot(along) * along).norm() - radius) <= same)
-      return axis(wall.axisClass).heightOf(axis(pin.axisClass).origin);
+      return axis(wall.axisGroup).heightOf(axis(pin.axisGroup).origin);
   }
   return radius * m_layout.scale;
 }
@@ -174,7 +174,7 @@ double ShaftPlanner::hiddenPlace(SheetBearing& bearing) {
   double largest = 0;
   for (std::size_t w = 0; w < arrangement.walls.size(); ++w) {
     const WallPlan& wall = arrangement.walls[w];
-    if (wall.axisClass != a || wall.link != bearing.child || wall.fromAt == wall.toAt) continue;
+    if (wall.axisGroup != a || wall.link != bearing.child || wall.fromAt == wall.toAt) continue;
     if (wall.fromRadius * (wall.toAt - wall.fromAt) <= largest) continue;
     largest = wall.fromRadius * (wall.toAt - wall.fromAt);
     best = placeOf(a, (wall.fromAt + wall.toAt) / 2);
@@ -187,4 +187,4 @@ double ShaftPlanner::hiddenPlace(SheetBearing& bearing) {
   return placeOf(a, own->at);
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

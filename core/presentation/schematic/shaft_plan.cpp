@@ -4,7 +4,7 @@
 
 #include "core/presentation/schematic/shaft_planner.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 const SheetShaft* ShaftPlan::shaft(int axis, int link, double near) const {
   const SheetShaft* found = nullptr;
@@ -20,4 +20,4 @@ ShaftPlan shaftPlan(const DrawnPart& part, const DrawnTrain& train, SheetLayout&
   return ShaftPlanner(part, train, layout).plan();
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/presentation/schematic/sheet_layout.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 struct DrawnTrain;
 
@@ -42,8 +42,8 @@ struct RingCarrierSymbol {
 struct SheetWall {
   int axis = 0;
   int link = 0;
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
 };
 
 /// The interval of an axis that a link's shaft occupies: on the axis itself (lane 0), or as a hollow shaft
@@ -88,4 +88,4 @@ constexpr double kShaftEnd = 15;
 /// The rim of a ring gear beyond its pitch line, px.
 constexpr double kRimHeight = 15;
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/machine/solids/gear_body.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kStemHalf = 2;
@@ -141,18 +141,18 @@ void ShaftPlanner::addWalls() {
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const WallPlan& wall = walls[w];
     WallSpots spots;
-    spots.from = addSpot(wall.axisClass, wall.fromAt);
-    spots.to = wall.fromAt < wall.toAt ? addSpot(wall.axisClass, wall.toAt) : spots.from;
-    SheetWall drawn{wall.axisClass, wall.link, {}, {}};
+    spots.from = addSpot(wall.axisGroup, wall.fromAt);
+    spots.to = wall.fromAt < wall.toAt ? addSpot(wall.axisGroup, wall.toAt) : spots.from;
+    SheetWall drawn{wall.axisGroup, wall.link, {}, {}};
     if (wall.fromAt < wall.toAt) {
       drawn.from.y = drawn.to.y = m_levels[w];
     } else {
       const double place = m_spots[spots.from].place;
-      drawn.from.y = wall.isOnShaft ? laneHeight(wall.axisClass, wall.link, place)
+      drawn.from.y = wall.isOnShaft ? laneHeight(wall.axisGroup, wall.link, place)
                                     : heightOf(wall, wall.fromAt, wall.fromRadius);
       drawn.to.y = heightOf(wall, wall.fromAt, wall.toRadius);
       occupy(spots.from, kStemHalf, kStemHalf, drawn.from.y, drawn.to.y);
-      if (wall.isOnShaft) m_held.push_back({wall.axisClass, wall.link, spots.from, 0, 0});
+      if (wall.isOnShaft) m_held.push_back({wall.axisGroup, wall.link, spots.from, 0, 0});
     }
     m_plan.walls.push_back(drawn);
     m_wallSpots.push_back(spots);
@@ -162,10 +162,10 @@ void ShaftPlanner::addWalls() {
 /// The wheel of the child nearest to the middle of what the pin carries.
 const SheetWheel* ShaftPlanner::wheelOnPin(const PinPlan& pin, int child) const {
   const SheetWheel* found = nullptr;
-  const double middle = placeOf(pin.axisClass, (pin.from + pin.to) / 2);
+  const double middle = placeOf(pin.axisGroup, (pin.from + pin.to) / 2);
   const auto away = [&](const SheetWheel& wheel) { return std::abs(placeOf(wheel) - middle); };
   for (const SheetWheel& wheel : m_layout.wheels) {
-    if (wheel.axis != pin.axisClass || wheel.link != child) continue;
+    if (wheel.axis != pin.axisGroup || wheel.link != child) continue;
     if (found == nullptr || away(wheel) < away(*found)) found = &wheel;
   }
   return found;
@@ -198,7 +198,7 @@ void ShaftPlanner::addBearing(int joint) {
   SheetBearing& bearing = m_plan.bearings[joint];
   const Arrangement& arrangement = m_train.arrangement;
   const auto onAxis = [&](const auto& plan) {
-    return plan.link == bearing.parent && plan.axisClass == bearing.axis;
+    return plan.link == bearing.parent && plan.axisGroup == bearing.axis;
   };
   const auto& bearings = line(bearing.axis).bearings;
   const auto shown =
@@ -236,21 +236,21 @@ void ShaftPlanner::addBearing(int joint) {
 }
 
 void ShaftPlanner::addPin(const PinPlan& pin, const SheetBearing& bearing) {
-  const std::size_t start = addSpot(pin.axisClass, pin.from);
-  m_held.push_back({pin.axisClass, pin.link, start, 0, 0});
-  m_held.push_back({pin.axisClass, pin.link, m_bearingSpots[bearing.joint], kPinEnd, kPinEnd});
-  if (pin.home < 0 || areParallel(pin.home, pin.axisClass)) return;
-  m_spots[start].fixed = intersection(pin.axisClass, pin.home);
+  const std::size_t start = addSpot(pin.axisGroup, pin.from);
+  m_held.push_back({pin.axisGroup, pin.link, start, 0, 0});
+  m_held.push_back({pin.axisGroup, pin.link, m_bearingSpots[bearing.joint], kPinEnd, kPinEnd});
+  if (pin.home < 0 || areParallel(pin.home, pin.axisGroup)) return;
+  m_spots[start].fixed = intersection(pin.axisGroup, pin.home);
   const std::size_t home = addSpot(pin.home, pin.level);
-  m_spots[home].fixed = intersection(pin.home, pin.axisClass);
+  m_spots[home].fixed = intersection(pin.home, pin.axisGroup);
   m_held.push_back({pin.home, pin.link, home, 0, 0});
 }
 
 /// The link's shaft comes as near to the intersection as the bars of the bearing.
 void ShaftPlanner::addCrossShaftBoss(const CrossShaftBossPlan& boss, const SheetBearing& bearing) {
-  m_spots[m_bearingSpots[bearing.joint]].fixed = intersection(boss.axisClass, boss.home);
+  m_spots[m_bearingSpots[bearing.joint]].fixed = intersection(boss.axisGroup, boss.home);
   const std::size_t home = addSpot(boss.home, boss.level);
-  m_spots[home].fixed = intersection(boss.home, boss.axisClass);
+  m_spots[home].fixed = intersection(boss.home, boss.axisGroup);
   const double reach = bearing.height + kBearingGap;
   m_held.push_back({boss.home, boss.link, home, -reach, -reach});
 }
@@ -359,7 +359,7 @@ void ShaftPlanner::solve() {
     if (spots.empty()) continue;
     sortByPlace(spots, tolerance(static_cast<int>(family)));
     double low = 1e300, high = -1e300;
-    const auto include = [&](SheetPoint p) {
+    const auto include = [&](CanvasPoint p) {
       low = std::min(low, dot(p, base.along));
       high = std::max(high, dot(p, base.along));
     };
@@ -394,7 +394,7 @@ void ShaftPlanner::solve() {
 }
 
 double ShaftPlanner::atOn(int a, std::size_t spot) const {
-  const SheetPoint along = first(a).along;
+  const CanvasPoint along = first(a).along;
   const double way = isReversed(a) ? -1 : 1;
   return way * (m_spots[spot].at - dot(axis(a).origin, along));
 }
@@ -440,7 +440,7 @@ void ShaftPlanner::addShafts() {
   constexpr double kFootHalf = 12;
   const std::vector<ShaftSegment>& shafts = m_train.arrangement.shafts;
   for (std::size_t s = 0; s < shafts.size(); ++s) {
-    const int a = shafts[s].axisClass;
+    const int a = shafts[s].axisGroup;
     const int link = shafts[s].link;
     SheetShaft drawn{a,      link,        1e300,
                      -1e300, m_depths[s], link != 0 && axisOfLink(m_train.placement, link) == a};
@@ -467,4 +467,4 @@ void ShaftPlanner::addShafts() {
   }
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/presentation/schematic/shaft_plan.h"
 #include "core/presentation/schematic/sheet_spacing.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// The algorithm of shaftPlan(): first the places of wheels, walls, bearings and arms in the arrangement
 /// become slots of their parallel axes; then the slots get px, and shafts their extents.
@@ -105,4 +105,4 @@ class ShaftPlanner {
   ShaftPlan m_plan;
 };
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

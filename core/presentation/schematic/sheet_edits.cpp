@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mechanism/fitting/axis_drag.h"
-#include "core/mechanism/fitting/mesh_snap.h"
+#include "core/mechanism/geometry_edits/axis_drag.h"
+#include "core/mechanism/geometry_edits/mesh_snap.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr int kFewTeeth = 8;           ///< a wheel that is fitted in has no fewer
@@ -49,7 +49,7 @@ struct Line {
 };
 
 /// The line that a new axis is drawn along; its point is the one nearest to the sheet's base.
-Line drawnLine(const SheetFrame& frame, const DrawnShaft& shaft) {
+Line drawnLine(const CanvasFrame& frame, const DrawnShaft& shaft) {
   const bool level = std::abs(shaft.to.x - shaft.from.x) >= std::abs(shaft.to.y - shaft.from.y);
   const Vector3 direction = level ? frame.right : frame.up;
   const Vector3 at = frame.spaceOf(shaft.from) - frame.base;
@@ -66,12 +66,12 @@ Expected<Mechanism> withCarriedLink(Mechanism mechanism, LinkId carrier, AxisId 
   return withTurningJoint(std::move(next), carrier, link, axis);
 }
 
-std::optional<int> teethOf(const Mechanism& mechanism, const Placement& placement, int link, int axisClass) {
+std::optional<int> teethOf(const Mechanism& mechanism, const Placement& placement, int link, int axisGroup) {
   for (std::size_t m = 0; m + 1 < mechanism.gearMeshes.size(); ++m) {  // the last one is new
     const auto& geometry = placement.meshes[m];
     if (!geometry || !hasParallelAxes(geometry->kind)) continue;
-    if (geometry->tail == link && geometry->tailClass == axisClass) return mechanism.gearMeshes[m].tailTeeth;
-    if (geometry->head == link && geometry->headClass == axisClass) return mechanism.gearMeshes[m].headTeeth;
+    if (geometry->tail == link && geometry->tailClass == axisGroup) return mechanism.gearMeshes[m].tailTeeth;
+    if (geometry->head == link && geometry->headClass == axisGroup) return mechanism.gearMeshes[m].headTeeth;
   }
   return std::nullopt;
 }
@@ -100,8 +100,8 @@ Teeth internalTeeth(std::optional<int> ring, std::optional<int> pinion, int diff
 }
 
 /// How far a place lies from a line, towards another one.
-double heightTowards(const SheetFrame::Line& line, const SheetFrame::Line& other, SheetPoint p) {
-  const SheetPoint out = turned(line.along);
+double heightTowards(const CanvasFrame::Line& line, const CanvasFrame::Line& other, CanvasPoint p) {
+  const CanvasPoint out = turned(line.along);
   const double way = dot(other.at - line.at, out) < 0 ? -1 : 1;
   return way * dot(p - line.at, out);
 }
@@ -109,14 +109,14 @@ double heightTowards(const SheetFrame::Line& line, const SheetFrame::Line& other
 enum class RingOf { neither, tail, head };
 
 /// Whose ring the drag means: that of the axis that the other end lies beyond.
-RingOf ringMeant(const SheetFrame& frame, const Mechanism& mechanism, const Placement& placement,
+RingOf ringMeant(const CanvasFrame& frame, const Mechanism& mechanism, const Placement& placement,
                  const MeshGeometry& geometry, const DrawnMesh& mesh) {
-  const auto lineOf = [&](int axisClass) {
-    const int axis = placement.classes->classes[axisClass].axis;
+  const auto lineOf = [&](int axisGroup) {
+    const int axis = placement.classes->classes[axisGroup].axis;
     return frame.line(mechanism.axes[axis].id);
   };
-  const SheetFrame::Line* tail = lineOf(geometry.tailClass);
-  const SheetFrame::Line* head = lineOf(geometry.headClass);
+  const CanvasFrame::Line* tail = lineOf(geometry.tailClass);
+  const CanvasFrame::Line* head = lineOf(geometry.headClass);
   if (tail == nullptr || head == nullptr) return RingOf::neither;
   const double distance = heightTowards(*tail, *head, head->at);
   constexpr double kBeyond = 6;  // px
@@ -133,8 +133,8 @@ RingOf ringMeant(const SheetFrame& frame, const Mechanism& mechanism, const Plac
 
 }  // namespace
 
-Expected<Mechanism> withShaftOnSheet(Mechanism mechanism, const SheetFrame& frame, const DrawnShaft& shaft) {
-  const SheetFrame::Line* near = frame.axisNear(shaft.from, shaft.reach);
+Expected<Mechanism> withShaftOnSheet(Mechanism mechanism, const CanvasFrame& frame, const DrawnShaft& shaft) {
+  const CanvasFrame::Line* near = frame.axisNear(shaft.from, shaft.reach);
   AxisId axis = near == nullptr ? AxisId() : near->axis;
   const TurningJoint* held = axis.empty() ? nullptr : firstJointOn(mechanism, axis);
   LinkId carrier = shaft.carrier;
@@ -168,7 +168,7 @@ Expected<Mechanism> withShaftOnSheet(Mechanism mechanism, const SheetFrame& fram
   return withOffset(std::move(mechanism), joint, Number(static_cast<int>(std::lround(along))));
 }
 
-Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
+Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const CanvasFrame& frame,
                                           const DrawnMesh& mesh) {
   const Expected<PlacedMechanism> drawn = unplaced(withGearMesh(std::move(mechanism), mesh.tail, mesh.head));
   if (!drawn) return drawn;
@@ -200,13 +200,13 @@ Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame&
   return fits && tail && head ? withMeshSnapped(*fits, id) : fits;
 }
 
-Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before, const SheetFrame& frame,
+Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before, const CanvasFrame& frame,
                                           const DraggedAxis& drag) {
-  const SheetFrame::Line* line = frame.line(drag.axis);
+  const CanvasFrame::Line* line = frame.line(drag.axis);
   const Axis* axis = before.mechanism().find(drag.axis);
   if (line == nullptr || axis == nullptr) return unplaced(withAxisPlaced(before, drag.axis, {}, {}));
   const std::optional<AxisReach> reach = axisReach(before, drag.axis);
-  const SheetFrame::Line* other = reach ? frame.line(reach->from) : nullptr;
+  const CanvasFrame::Line* other = reach ? frame.line(reach->from) : nullptr;
   const double height = other == nullptr ? 0 : heightTowards(*other, *line, line->at);
   if (height > 1e-6) {
     const double moved = heightTowards(*other, *line, drag.to) - heightTowards(*other, *line, drag.from);
@@ -219,4 +219,4 @@ Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before, const S
                          drag.snapped);
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 /// Between stops in proportion, beyond them at the scale.
@@ -18,13 +18,13 @@ double coordinateAt(const std::vector<std::pair<double, double>>& stops, double 
 
 }  // namespace
 
-Vector3 SheetFrame::spaceOf(SheetPoint p) const {
-  const SheetPoint from = p - origin;
+Vector3 CanvasFrame::spaceOf(CanvasPoint p) const {
+  const CanvasPoint from = p - origin;
   const double along = stops.empty() ? from.x / scale : coordinateAt(stops, p.x, scale);
   return base + along * right + (-from.y / scale) * up;
 }
 
-const SheetFrame::Line* SheetFrame::axisNear(SheetPoint p, double reach) const {
+const CanvasFrame::Line* CanvasFrame::axisNear(CanvasPoint p, double reach) const {
   const Line* nearest = nullptr;
   for (const Line& line : axes) {
     const double away = std::abs(dot(p - line.at, turned(line.along)));
@@ -35,9 +35,9 @@ const SheetFrame::Line* SheetFrame::axisNear(SheetPoint p, double reach) const {
   return nearest;
 }
 
-const SheetFrame::Line* SheetFrame::line(AxisId axis) const {
+const CanvasFrame::Line* CanvasFrame::line(AxisId axis) const {
   const auto found = std::find_if(axes.begin(), axes.end(), [&](const Line& l) { return l.axis == axis; });
   return found == axes.end() ? nullptr : &*found;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

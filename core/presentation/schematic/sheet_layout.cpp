@@ -6,7 +6,7 @@
 #include "core/mechanism/placement/tolerance.h"
 #include "core/presentation/schematic/wheel_symbol.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 bool isParallel(const Vector3& a, const Vector3& b) {
@@ -26,7 +26,7 @@ void collectAxes(const DrawnPart& part, const Placement& placement, SheetLayout&
     on.direction = line.direction;
     layout.axes.push_back(on);
   };
-  for (const AxisClasses::Class& c : placement.classes->classes) add(c.axis, c.rootLink);
+  for (const AxisGroups::Class& c : placement.classes->classes) add(c.axis, c.rootLink);
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) add(static_cast<int>(i), -1);
   }
@@ -58,7 +58,7 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const
   for (const TrainWheel& wheel : train.wheels) {
     SheetWheel drawn;
     drawn.link = wheel.link;
-    drawn.axis = wheel.axisClass;
+    drawn.axis = wheel.axisGroup;
     drawn.kind = wheel.spec.kind;
     drawn.meshes = wheel.meshes;
     drawn.hand = wheel.spec.helixAngle == 0 ? 0 : signOf(handOf(wheel.spec.helixAngle));
@@ -74,8 +74,8 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const
   return layout;
 }
 
-SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout) {
-  SheetFrame frame;
+CanvasFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout) {
+  CanvasFrame frame;
   const SheetAxis& root = layout.axes[layout.root];
   frame.right = layout.right;
   frame.up = layout.up;
@@ -95,4 +95,4 @@ SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout) {
   return frame;
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

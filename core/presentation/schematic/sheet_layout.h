@@ -11,7 +11,7 @@
 #include "core/presentation/schematic/drawn_part.h"
 #include "core/presentation/schematic/sheet_frame.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// A line of the mechanism in the sheet: an axis class, or an axis without joints.
 struct SheetAxis {
@@ -20,18 +20,18 @@ struct SheetAxis {
   Vector3 base{};
   Vector3 direction{0, 0, 1};
   Vector3 upInSpace{1, 0, 0};  ///< at right angles to direction: shown as `up`
-  SheetPoint origin;           ///< the point of the sheet for `base`, px
-  SheetPoint along{1, 0};      ///< unit vectors
-  SheetPoint up{0, -1};
+  CanvasPoint origin;          ///< the point of the sheet for `base`, px
+  CanvasPoint along{1, 0};     ///< unit vectors
+  CanvasPoint up{0, -1};
   bool half = false;    ///< a half section: only the upper side is drawn
   bool turned = false;  ///< turned into the sheet: not so in space
 
   /// The point of the sheet at px along the axis and away from it.
-  [[nodiscard]] SheetPoint at(double coordinate, double height) const {
+  [[nodiscard]] CanvasPoint at(double coordinate, double height) const {
     return origin + coordinate * along + height * up;
   }
-  [[nodiscard]] double coordinateOf(SheetPoint p) const { return dot(p - origin, along); }
-  [[nodiscard]] double heightOf(SheetPoint p) const { return dot(p - origin, up); }
+  [[nodiscard]] double coordinateOf(CanvasPoint p) const { return dot(p - origin, along); }
+  [[nodiscard]] double heightOf(CanvasPoint p) const { return dot(p - origin, up); }
   /// The coordinate along the axis in space, in the document's unit.
   [[nodiscard]] double spaceCoordinate(const Vector3& p) const { return geargraph::dot(p - base, direction); }
 };
@@ -46,11 +46,11 @@ struct SheetWheel {
   double at = 0;     ///< where its body is on the axis
   double low = 0;    ///< parallel: places of its first and last mesh, mostly both `at`
   double high = 0;
-  double radius = 0;   ///< height of the body's end: the middle of the pitch line
-  SheetPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
-  SheetPoint barTo;
-  SheetPoint outward;  ///< unit (coordinate, height): from the pitch line into the partner
-  int hand = 0;        ///< of helical teeth: +1 right, -1 left; of herringbone teeth that of the end `low`
+  double radius = 0;    ///< height of the body's end: the middle of the pitch line
+  CanvasPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
+  CanvasPoint barTo;
+  CanvasPoint outward;  ///< unit (coordinate, height): from the pitch line into the partner
+  int hand = 0;         ///< of helical teeth: +1 right, -1 left; of herringbone teeth that of the end `low`
   bool herringbone = false;
   [[nodiscard]] bool isRing() const { return wheelKind(kind).isRing; }
 };
@@ -90,7 +90,7 @@ struct SheetLayout {
 
 /// The frame of the sheet for the present places of the wheels.
 /// @pre the layout has an axis
-[[nodiscard]] SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout);
+[[nodiscard]] CanvasFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout);
 
 /// The initial distance of planes of wheels, px.
 constexpr double kPlaneDistance = 150;
@@ -120,4 +120,4 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
   return placement.classes->classOfLink(link);
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

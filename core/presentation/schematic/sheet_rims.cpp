@@ -6,11 +6,11 @@
 #include "core/presentation/schematic/drawn_part.h"
 #include "core/presentation/schematic/sheet_layout.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
-double distanceTo(const SheetRim& rim, SheetPoint place) {
-  const SheetPoint way = rim.to - rim.from;
+double distanceTo(const SheetRim& rim, CanvasPoint place) {
+  const CanvasPoint way = rim.to - rim.from;
   const double square = dot(way, way);
   const double share = square > 0 ? std::clamp(dot(place - rim.from, way) / square, 0.0, 1.0) : 0;
   return distance(place, rim.from + share * way);
@@ -38,8 +38,8 @@ std::vector<SheetRim> sheetRims(const DrawnPart& part, const SheetLayout& layout
   return rims;
 }
 
-const SheetRim* rimNear(const std::vector<SheetRim>& rims, const std::vector<LinkId>& links, SheetPoint place,
-                        double reach) {
+const SheetRim* rimNear(const std::vector<SheetRim>& rims, const std::vector<LinkId>& links,
+                        CanvasPoint place, double reach) {
   const SheetRim* nearest = nullptr;
   for (const SheetRim& rim : rims) {
     if (std::find(links.begin(), links.end(), rim.link) == links.end()) continue;
@@ -51,8 +51,8 @@ const SheetRim* rimNear(const std::vector<SheetRim>& rims, const std::vector<Lin
   return nearest;
 }
 
-std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const SheetRim& rim, SheetPoint from,
-                                         SheetPoint to) {
+std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const SheetRim& rim, CanvasPoint from,
+                                         CanvasPoint to) {
   const GearMesh* const mesh = mechanism.find(rim.meshes.front());
   if (mesh == nullptr || (mesh->tail != rim.link && mesh->head != rim.link)) return std::nullopt;
   const bool ofTail = mesh->tail == rim.link;
@@ -63,4 +63,4 @@ std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const Sheet
   return DraggedTeeth{mesh->id, ofTail ? teeth : mesh->tailTeeth, ofTail ? mesh->headTeeth : teeth, teeth};
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

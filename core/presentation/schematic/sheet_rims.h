@@ -6,7 +6,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 struct DrawnPart;
 struct SheetLayout;
@@ -15,9 +15,9 @@ struct SheetLayout;
 struct SheetRim {
   LinkId link;
   std::vector<MeshId> meshes;  ///< of that wheel, at least one
-  SheetPoint from;             ///< ends of the line, px
-  SheetPoint to;
-  SheetPoint out;     ///< unit vector away from the axis
+  CanvasPoint from;            ///< ends of the line, px
+  CanvasPoint to;
+  CanvasPoint out;    ///< unit vector away from the axis
   double height = 0;  ///< px from the axis to the middle of the line, above 0
   friend bool operator==(const SheetRim&, const SheetRim&) = default;
 };
@@ -26,7 +26,7 @@ struct SheetRim {
 
 /// The nearest rim of these links within `reach` px of a place; null if there is none.
 [[nodiscard]] const SheetRim* rimNear(const std::vector<SheetRim>& rims, const std::vector<LinkId>& links,
-                                      SheetPoint place, double reach);
+                                      CanvasPoint place, double reach);
 
 /// Tooth counts of the first mesh of a rim after a drag across the sheet.
 struct DraggedTeeth {
@@ -38,6 +38,6 @@ struct DraggedTeeth {
 };
 /// std::nullopt if the mechanism no longer has that mesh of the link.
 [[nodiscard]] std::optional<DraggedTeeth> teethDragged(const Mechanism& mechanism, const SheetRim& rim,
-                                                       SheetPoint from, SheetPoint to);
+                                                       CanvasPoint from, CanvasPoint to);
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kBetweenSymbols = 11;
@@ -82,4 +82,4 @@ void spreadSlots(std::vector<SheetSlot>& slots) {
   }
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

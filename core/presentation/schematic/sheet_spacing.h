@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// The extent of a symbol along parallel axes, on either side of its place, and across them; px.
 struct SheetSpan {
@@ -33,4 +33,4 @@ void packSlots(std::vector<SheetSlot>& slots);
 /// @pre ascending places
 void spreadSlots(std::vector<SheetSlot>& slots);
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

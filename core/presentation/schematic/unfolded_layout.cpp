@@ -6,7 +6,7 @@
 #include "core/presentation/schematic/sheet_layout.h"
 #include "core/presentation/schematic/wheel_symbol.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 constexpr double kFlat = 1e-4;  ///< rad, relative: axes given in decimals of five digits lie in one plane
@@ -29,7 +29,7 @@ struct Plane {
   [[nodiscard]] bool holds(const Vector3& v, double size) const {
     return std::abs(dot(v, cross(right, up))) <= kFlat * size;
   }
-  [[nodiscard]] SheetPoint onSheet(const Vector3& v) const { return {dot(v, right), -dot(v, up)}; }
+  [[nodiscard]] CanvasPoint onSheet(const Vector3& v) const { return {dot(v, right), -dot(v, up)}; }
 
   /// The plane along both vectors, z up where it is not level, else y.
   static Plane along(const Vector3& a, const Vector3& b) {
@@ -83,7 +83,7 @@ class Unfolder {
     for (std::size_t c = 0; c < classes.size(); ++c) {
       if (classes[c].rootLink != 0) continue;
       int weight = 0;
-      for (const AxisClasses::Class& other : classes) {
+      for (const AxisGroups::Class& other : classes) {
         if (other.rootLink != 0 && axisOfLink(m_placement, other.rootLink) == static_cast<int>(c))
           weight += 3;
       }
@@ -137,8 +137,8 @@ class Unfolder {
 
   [[nodiscard]] bool mesh(int c, int d) const {
     return std::any_of(m_train.pairs.begin(), m_train.pairs.end(), [&](const TrainPair& pair) {
-      const int a = m_train.wheels[pair.tail].axisClass;
-      const int b = m_train.wheels[pair.head].axisClass;
+      const int a = m_train.wheels[pair.tail].axisGroup;
+      const int b = m_train.wheels[pair.head].axisGroup;
       return (a == c && b == d) || (a == d && b == c);
     });
   }
@@ -223,7 +223,7 @@ double scaleFor(const SheetLayout& layout, const TrainWheels& train) {
   Extent all{layout.axes.front().origin, 0, 0};
   double least = 1e300;
   for (const TrainWheel& wheel : train.wheels) {
-    const SheetAxis& axis = layout.axes[wheel.axisClass];
+    const SheetAxis& axis = layout.axes[wheel.axisGroup];
     double coordinate = axis.spaceCoordinate(narrow(wheel.origin));
     const double way = dot(narrow(wheel.axis), axis.direction) < 0 ? -1 : 1;
     coordinate += way * wheelSymbol(wheel.spec.kind).away(wheel);
@@ -245,9 +245,9 @@ bool touch(const SheetLayout& layout, const SheetPair& pair) {
   const SheetWheel& b = layout.wheels[pair.head];
   for (const double up : {1.0, -1.0}) {
     for (const double down : {1.0, -1.0}) {
-      const SheetPoint p = layout.axes[a.axis].at(a.barFrom.x, up * a.barFrom.y);
-      const SheetPoint q = layout.axes[b.axis].at(b.barFrom.x, down * b.barFrom.y);
-      const SheetPoint r = layout.axes[b.axis].at(b.barTo.x, down * b.barTo.y);
+      const CanvasPoint p = layout.axes[a.axis].at(a.barFrom.x, up * a.barFrom.y);
+      const CanvasPoint q = layout.axes[b.axis].at(b.barFrom.x, down * b.barFrom.y);
+      const CanvasPoint r = layout.axes[b.axis].at(b.barTo.x, down * b.barTo.y);
       if (distanceToSegment(p, q, r) < kNear || distance(p, q) < kNear) return true;
     }
   }
@@ -268,4 +268,4 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
     layout.pairs[p].apart = touches(train.pairs[p].kind) && !touch(layout, layout.pairs[p]);
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 namespace {
 
 Vector3 asTriple(const Eigen::Vector3d& v) {
@@ -26,14 +26,14 @@ void setLevelBar(SheetWheel& wheel, const TrainWheel& from, const SheetAxis& axi
 void setSlopingBar(SheetWheel& wheel, const TrainWheel& from, const SheetAxis& axis, double scale) {
   const double way = dot(asTriple(from.axis), axis.direction) < 0 ? -1 : 1;
   const double angle = from.spec.coneAngle;
-  const SheetPoint line{way * std::cos(angle), std::sin(angle)};
+  const CanvasPoint line{way * std::cos(angle), std::sin(angle)};
   wheel.outward = {-way * std::sin(angle), std::cos(angle)};
   const double outer = from.workingRadius * scale / std::sin(angle);
   const double face = std::min(std::max(from.spec.faceWidth * scale, 9.0), 0.5 * outer);
-  const SheetPoint apex{originOf(from, axis, scale), 0};
+  const CanvasPoint apex{originOf(from, axis, scale), 0};
   wheel.barFrom = apex + outer * line - kBarGap * wheel.outward;
   wheel.barTo = apex + (outer - face) * line - kBarGap * wheel.outward;
-  const SheetPoint middle = between(wheel.barFrom, wheel.barTo, 0.5);
+  const CanvasPoint middle = between(wheel.barFrom, wheel.barTo, 0.5);
   wheel.at = middle.x;
   wheel.radius = middle.y;
 }
@@ -63,4 +63,4 @@ const WheelSymbol& wheelSymbol(GearKind kind) {
   return wheelSymbols()[kind];
 }
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

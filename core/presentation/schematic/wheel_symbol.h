@@ -4,7 +4,7 @@
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/presentation/schematic/sheet_layout.h"
 
-namespace geargraph::inline schematic {
+namespace geargraph {
 
 /// How a wheel of the ground stands in the frame.
 enum class FrameSymbol {
@@ -32,4 +32,4 @@ extern const WheelSymbol kDiscSymbol;
 extern const WheelSymbol kRingSymbol;
 extern const WheelSymbol kConeSymbol;
 
-}  // namespace geargraph::inline schematic
+}  // namespace geargraph

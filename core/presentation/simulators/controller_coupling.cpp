@@ -8,7 +8,7 @@
 #include "core/presentation/simulators/modelica.h"
 #include "core/presentation/simulators/xml_text.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 namespace {
 
 using CouplingRow = std::vector<Rational>;
@@ -495,4 +495,4 @@ std::string couplingTransmissions(const Mechanism& mechanism, const JointCouplin
   return TransmissionWriter(data).write();
 }
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/theory/matroid/joint_coupling.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 
 // The coupling of motors and joints for a robot's controller: matrices of speeds (and of angles from the
 // reference pose) and of torques, all exact, with a self-test: the power that goes in comes out. Comments in
@@ -25,4 +25,4 @@ namespace geargraph::inline simulators {
 
 constexpr int kMaxCouplingCorners = 64;
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

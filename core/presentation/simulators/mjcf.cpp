@@ -4,7 +4,7 @@
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/simulators/xml_text.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 namespace {
 
 constexpr double kRotor = 100;  // times the inertia that the input feels
@@ -244,4 +244,4 @@ std::string mjcfText(const SimulatorModel& model, const SimulatorOptions& option
   return MjcfWriter(model, options).write();
 }
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

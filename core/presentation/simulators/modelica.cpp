@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 namespace {
 
 /// "text" as a string of Modelica; line ends and other control characters become blanks.
@@ -167,4 +167,4 @@ std::string modelicaText(const AnalysisSnapshot& snapshot) {
   return ModelicaWriter(snapshot).write();
 }
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 
 /// The mechanism with its engaged couplings as a Modelica model (Modelica.Mechanics.Rotational): a flange for
 /// each turning joint, whose angle is that of the joint's head relative to its tail, measured from the drawn
@@ -18,4 +18,4 @@ namespace geargraph::inline simulators {
 /// A Modelica class name from a document's name: ASCII letters, digits and _, starting with a capital letter.
 [[nodiscard]] std::string modelicaName(std::string_view name);
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/machine/train/train_parts.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/theory/dynamics/dynamics_report.h"
@@ -15,7 +15,7 @@
 #include "core/theory/states/engagement.h"
 #include "core/theory/statics/applied_loads.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 namespace {
 
 /// Simulators take no less: MuJoCo's least mass and moment of inertia.
@@ -137,7 +137,7 @@ class ModelMaker {
 
   void addCouplings() {
     const std::vector<int> engaged = engagedCouplings(m_mechanism);
-    for (CouplingOrdinal coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size());
+    for (ShiftElementOrdinal coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size());
          ++coupling) {
       const std::string id = m_mechanism.couplings[coupling].id.text();
       if (!closesWithoutLinkage(m_mechanism, m_placement, coupling)) {
@@ -232,4 +232,4 @@ std::variant<SimulatorModel, SimulatorError> simulatorModel(const AnalysisSnapsh
   return ModelMaker(snapshot, train, options, stop).run();
 }
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

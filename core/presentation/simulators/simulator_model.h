@@ -16,7 +16,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/joint_limits.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 
 /// How the inputs are driven in the simulator.
 enum class SimulatorMotor : std::uint8_t {
@@ -113,4 +113,4 @@ struct SimulatorError {
 /// the message has the equations of the first three.
 [[nodiscard]] std::variant<std::string, SimulatorError> urdfText(const SimulatorModel& model);
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

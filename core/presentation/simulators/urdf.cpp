@@ -1,11 +1,11 @@
 #include <algorithm>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/simulators/xml_text.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 namespace {
 
 /// The inputs that a joint follows, by position.
@@ -144,4 +144,4 @@ std::variant<std::string, SimulatorError> urdfText(const SimulatorModel& model) 
   return UrdfWriter(model).write();
 }
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 
 std::string xmlNumber(double value) {
   GEARGRAPH_REQUIRE(std::isfinite(value));
@@ -32,4 +32,4 @@ std::string xmlComment(std::string_view text) {
   return "<!-- " + escaped + " -->";
 }
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline simulators {
+namespace geargraph {
 
 /// The shortest decimal that reads back as the same double, with a point; 0 for -0. @pre finite
 [[nodiscard]] std::string xmlNumber(double value);
@@ -15,4 +15,4 @@ namespace geargraph::inline simulators {
 /// "<!-- text -->"; two hyphens, which end a comment, are set apart.
 [[nodiscard]] std::string xmlComment(std::string_view text);
 
-}  // namespace geargraph::inline simulators
+}  // namespace geargraph

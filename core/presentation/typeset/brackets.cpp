@@ -4,7 +4,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/typeset/formula_box.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 namespace {
 
 struct Pieces {
@@ -72,4 +72,4 @@ FormulaBox bracketBox(char bracket, double total, double size) {
   return built(piecesOf(bracket), total, size);
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

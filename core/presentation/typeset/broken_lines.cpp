@@ -5,7 +5,7 @@
 #include "core/presentation/typeset/formula_setter.h"
 #include "core/presentation/typeset/typeset.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 namespace {
 
 constexpr SetStyle kOwnLine{0};
@@ -19,7 +19,8 @@ const FormulaNode* alignedIn(const FormulaNode& formula) {
 }
 
 bool mayBreakBefore(const SetAtom& atom) {
-  return atom.kind == AtomClass::relation || atom.kind == AtomClass::binary || atom.kind == AtomClass::inner;
+  return atom.kind == InternedStringClass::relation || atom.kind == InternedStringClass::binary ||
+         atom.kind == InternedStringClass::inner;
 }
 
 /// Where a row breaks, so that no line is wider than `width` and what goes on is indented.
@@ -172,4 +173,4 @@ double widthOf(const std::vector<FormulaLine>& lines) {
   return width;
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

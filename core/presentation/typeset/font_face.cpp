@@ -9,7 +9,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/typeset/font_data.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 namespace {
 
 using Glyphs = std::unordered_map<char32_t, GlyphMetrics>;
@@ -80,4 +80,4 @@ char32_t takeCharacter(std::string_view& text) {
   return isSurrogate || character > 0x10FFFF ? kNone : character;
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 /// The KaTeX fonts in which formulas are set; all are embedded in the program.
 enum class FontFace { main, bold, italic, size1, size2, size3, size4 };
@@ -34,4 +34,4 @@ struct GlyphMetrics {
 /// @pre text is not empty
 [[nodiscard]] char32_t takeCharacter(std::string_view& text);
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 enum class FormulaKind {
   row,       ///< parts side by side; as a part of another row: the content of braces
@@ -51,4 +51,4 @@ struct FormulaNode {
   friend bool operator==(const FormulaNode&, const FormulaNode&) = default;
 };
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

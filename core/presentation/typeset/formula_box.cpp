@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 void FormulaBox::put(const FormulaBox& box, double x, double y) {
   height = std::max(height, box.height - y);
@@ -35,4 +35,4 @@ FormulaBox glyphBox(FontFace face, char32_t character, double size) {
   return box;
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/presentation/typeset/font_face.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 /// The colour role: the formula itself, or the labels of rows and columns.
 enum class FormulaInk { formula, label };
@@ -56,4 +56,4 @@ struct FormulaBox {
 constexpr double kFormulaAxis = 0.25;
 constexpr double kFormulaRule = 0.04;  ///< thickness of a fraction's bar, em
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/typeset/typeset.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 namespace {
 
 // The parameters of TeX's fonts, in em.
@@ -17,14 +17,15 @@ constexpr double kSkew = 0.118;  // how far a slanted letter's top leans, for it
 
 SetAtom setNode(const FormulaNode& node, SetStyle style);
 
-AtomClass classOf(std::string_view sign) {
+InternedStringClass classOf(std::string_view sign) {
   static constexpr std::array kBinary{"+", "−", "×", "⋅", "∘", "±", "*"};
   static constexpr std::array kRelations{"=", "≈", "|", "<", ">", ":"};
-  if (std::find(kBinary.begin(), kBinary.end(), sign) != kBinary.end()) return AtomClass::binary;
-  if (std::find(kRelations.begin(), kRelations.end(), sign) != kRelations.end()) return AtomClass::relation;
-  if (sign == "(" || sign == "[") return AtomClass::opening;
-  if (sign == ")" || sign == "]") return AtomClass::closing;
-  return sign == "," || sign == ";" ? AtomClass::punctuation : AtomClass::ordinary;
+  if (std::find(kBinary.begin(), kBinary.end(), sign) != kBinary.end()) return InternedStringClass::binary;
+  if (std::find(kRelations.begin(), kRelations.end(), sign) != kRelations.end())
+    return InternedStringClass::relation;
+  if (sign == "(" || sign == "[") return InternedStringClass::opening;
+  if (sign == ")" || sign == "]") return InternedStringClass::closing;
+  return sign == "," || sign == ";" ? InternedStringClass::punctuation : InternedStringClass::ordinary;
 }
 
 /// The sign that is printed for one of the keyboard.
@@ -100,7 +101,7 @@ SetAtom accent(const FormulaNode& node, SetStyle style) {
   const double lift = below.box.height - std::min(below.box.height, kLetterHeight * style.size());
   const double lean = below.isCharacter ? kSkew * below.box.height : 0;
   SetAtom atom = below;
-  atom.kind = AtomClass::ordinary;
+  atom.kind = InternedStringClass::ordinary;
   atom.box.put(mark, (below.box.width - mark.width) / 2 + lean, -lift);
   return atom;
 }
@@ -162,7 +163,7 @@ SetAtom fenced(const FormulaNode& node, SetStyle style) {
   const double axis = kFormulaAxis * style.size();
   const double total = 2 * std::max(inside.height - axis, inside.depth + axis);
   SetAtom atom;
-  atom.kind = AtomClass::inner;
+  atom.kind = InternedStringClass::inner;
   atom.box.append(bracketBox(node.text[0], bracketTotal(total, style.size()), style.size()));
   atom.box.append(inside);
   atom.box.append(bracketBox(node.text[1], bracketTotal(total, style.size()), style.size()));
@@ -174,7 +175,8 @@ SetAtom setNode(const FormulaNode& node, SetStyle style) {
     case FormulaKind::row:
       return {setRow(node, style)};
     case FormulaKind::number:
-      return {characters(node.text, FontFace::main, style.size()), AtomClass::ordinary, false, true};
+      return {characters(node.text, FontFace::main, style.size()), InternedStringClass::ordinary, false,
+              true};
     case FormulaKind::letter:
       return letter(node, style);
     case FormulaKind::sign:
@@ -196,8 +198,9 @@ SetAtom setNode(const FormulaNode& node, SetStyle style) {
     case FormulaKind::fenced:
       return fenced(node, style);
     case FormulaKind::table:
-      return {setTable(node, style),
-              node.table == FormulaTableKind::brackets ? AtomClass::inner : AtomClass::ordinary};
+      return {setTable(node, style), node.table == FormulaTableKind::brackets
+                                         ? InternedStringClass::inner
+                                         : InternedStringClass::ordinary};
   }
   GEARGRAPH_REQUIRE(false);
 }
@@ -208,7 +211,8 @@ std::vector<SetAtom> setAtoms(const std::vector<FormulaNode>& parts, SetStyle st
   std::vector<SetAtom> atoms;
   SetAtom* last = nullptr;  // that has a class
   const auto notBinary = [](SetAtom* atom) {
-    if (atom != nullptr && atom->kind == AtomClass::binary) atom->kind = AtomClass::ordinary;
+    if (atom != nullptr && atom->kind == InternedStringClass::binary)
+      atom->kind = InternedStringClass::ordinary;
   };
   atoms.reserve(parts.size());
   for (const FormulaNode& part : parts) {
@@ -217,12 +221,13 @@ std::vector<SetAtom> setAtoms(const std::vector<FormulaNode>& parts, SetStyle st
     atom.box.width += atom.slant;
     atom.slant = 0;
     if (atom.isSpace) continue;
-    const bool nothingBefore = last == nullptr || last->kind == AtomClass::binary ||
-                               last->kind == AtomClass::relation || last->kind == AtomClass::opening ||
-                               last->kind == AtomClass::punctuation;
+    const bool nothingBefore = last == nullptr || last->kind == InternedStringClass::binary ||
+                               last->kind == InternedStringClass::relation ||
+                               last->kind == InternedStringClass::opening ||
+                               last->kind == InternedStringClass::punctuation;
     if (nothingBefore) notBinary(&atom);
-    if (atom.kind == AtomClass::relation || atom.kind == AtomClass::closing ||
-        atom.kind == AtomClass::punctuation) {
+    if (atom.kind == InternedStringClass::relation || atom.kind == InternedStringClass::closing ||
+        atom.kind == InternedStringClass::punctuation) {
       notBinary(last);
     }
     last = &atom;
@@ -263,4 +268,4 @@ FormulaBox typesetFormula(const FormulaNode& formula, FormulaPlace place) {
   return setRow(formula, {place == FormulaPlace::ownLine ? 0 : 1});
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -5,12 +5,12 @@
 #include "core/presentation/typeset/formula.h"
 #include "core/presentation/typeset/formula_box.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 // Internals of the typesetter: a row becomes atoms, whose classes determine the space between them (TeX's
 // rules, see Knuth, The TeXbook, appendix G).
 
-enum class AtomClass { ordinary, binary, relation, opening, closing, punctuation, inner };
+enum class InternedStringClass { ordinary, binary, relation, opening, closing, punctuation, inner };
 
 struct SetStyle {
   int level = 1;         ///< 0: on its own line, 1: in a sentence, 2: a script, 3: a script's script
@@ -23,7 +23,7 @@ struct SetStyle {
 
 struct SetAtom {
   FormulaBox box;
-  AtomClass kind = AtomClass::ordinary;
+  InternedStringClass kind = InternedStringClass::ordinary;
   bool isSpace = false;      ///< has no class
   bool isCharacter = false;  ///< its scripts are placed as for a letter
   double slant = 0;          ///< how far its ink extends beyond the width
@@ -41,4 +41,4 @@ struct SetAtom {
 /// The widths of its columns, in em, without column spacing.
 [[nodiscard]] std::vector<double> columnWidths(const FormulaNode& table, SetStyle style);
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

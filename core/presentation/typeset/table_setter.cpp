@@ -2,7 +2,7 @@
 
 #include "core/presentation/typeset/formula_setter.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 namespace {
 
 // Of lines of text, in em.
@@ -14,7 +14,7 @@ constexpr double kAlignedGap = 0.3;  // between lines of "aligned"
 constexpr double kBracketGap = 0.22;
 constexpr double kLabelLead = 0.35;  // between a sign and the labels of rows
 constexpr double kLabelGap = 0.25;
-constexpr double kLabelSize = 0.7;
+constexpr double kHeadSize = 0.7;
 constexpr double kDash = 0.045;
 
 class TableSetter {
@@ -83,7 +83,7 @@ class TableSetter {
     double y = 0, begin = 0, end = 0;
     for (std::size_t row = 0; row < m_cells.size(); ++row) {
       const bool labels = m_labelled && row == 0;
-      const double scale = labels ? kLabelSize : 1;
+      const double scale = labels ? kHeadSize : 1;
       double height = kStrutHeight * size() * scale, depth = kStrutDepth * size() * scale;
       for (const FormulaBox& cell : m_cells[row]) {
         height = std::max(height, cell.height + (m_lines || labels ? 0 : kLineGap / 2 * size()));
@@ -186,4 +186,4 @@ std::vector<double> columnWidths(const FormulaNode& table, SetStyle style) {
   return TableSetter(table, style).widths();
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 namespace {
 
 const std::map<std::string_view, std::string_view>& letters() {
@@ -315,4 +315,4 @@ FormulaNode formulaOf(std::string_view tex) {
   return std::move(read.formula);
 }
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/presentation/typeset/formula.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 /// A parsed formula, and the error if it could not be parsed completely.
 struct ReadFormula {
@@ -23,4 +23,4 @@ struct ReadFormula {
 /// @pre the formula is in that subset: it is the program's own
 [[nodiscard]] FormulaNode formulaOf(std::string_view tex);
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/presentation/typeset/formula.h"
 #include "core/presentation/typeset/formula_box.h"
 
-namespace geargraph::inline typeset {
+namespace geargraph {
 
 /// TeX's text and display style: fractions are small in a sentence.
 enum class FormulaPlace { inLine, ownLine };
@@ -30,4 +30,4 @@ struct FormulaLine {
 /// The widest line.
 [[nodiscard]] double widthOf(const std::vector<FormulaLine>& lines);
 
-}  // namespace geargraph::inline typeset
+}  // namespace geargraph

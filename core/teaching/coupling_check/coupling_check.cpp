@@ -7,19 +7,19 @@
 #include <optional>
 #include <utility>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph::inline coupling_check {
+namespace geargraph {
 namespace {
 
-using Written = std::vector<WrittenNumber>;
+using Written = std::vector<CouplingNumber>;
 using Exact = std::vector<Rational>;
 using Order = std::vector<int>;
 
-constexpr int kMostPermuted = 4;
-constexpr std::size_t kMostEntries = 12;
+constexpr int kMaxPermuted = 4;
+constexpr std::size_t kMaxEntries = 12;
 
 std::string titleOfMatrix(CouplingMatrix which) {
   return which == CouplingMatrix::motorToJoint ? translated("motors to joints")
@@ -61,7 +61,7 @@ class MatrixCheck {
   }
 
  private:
-  [[nodiscard]] const WrittenNumber& at(int row, int column) const {
+  [[nodiscard]] const CouplingNumber& at(int row, int column) const {
     return m_written[static_cast<std::size_t>(row * m_size + column)];
   }
   [[nodiscard]] const Rational& expected(int row, int column) const {
@@ -79,7 +79,7 @@ class MatrixCheck {
   [[nodiscard]] bool agrees(const Exact& matrix) const {
     return std::equal(
         m_written.begin(), m_written.end(), matrix.begin(),
-        [](const WrittenNumber& written, const Rational& exact) { return written.standsFor(exact); });
+        [](const CouplingNumber& written, const Rational& exact) { return written.standsFor(exact); });
   }
 
   [[nodiscard]] CouplingFinding finding(std::string_view name, const std::string& what,
@@ -125,7 +125,7 @@ class MatrixCheck {
           const bool isRow = part[next] < m_size;
           const int row = isRow ? part[next] : other;
           const int column = isRow ? other : part[next] - m_size;
-          const WrittenNumber& written = at(row, column);
+          const CouplingNumber& written = at(row, column);
           const Rational& exact =
               expected(rows[static_cast<std::size_t>(row)], columns[static_cast<std::size_t>(column)]);
           if (exact.isZero()) {
@@ -164,7 +164,7 @@ class MatrixCheck {
 
   /// Joints or motors in another order, perhaps with other directions.
   [[nodiscard]] std::optional<std::string> findOrder(const Order& same) const {
-    if (m_size > kMostPermuted) return std::nullopt;
+    if (m_size > kMaxPermuted) return std::nullopt;
     Order rows = same;
     do {
       Order columns = same;
@@ -192,7 +192,7 @@ class MatrixCheck {
     for (int line = 0; line < m_size; ++line) {
       std::optional<Rational> factor;
       for (int k = 0; k < m_size; ++k) {
-        const WrittenNumber& written = ofRows ? at(line, k) : at(k, line);
+        const CouplingNumber& written = ofRows ? at(line, k) : at(k, line);
         const Rational& exact = ofRows ? expected(line, k) : expected(k, line);
         if (exact.isZero()) {
           if (!written.standsFor(0)) return std::nullopt;
@@ -214,9 +214,9 @@ class MatrixCheck {
     std::vector<CouplingFinding> found;
     for (int row = 0; row < m_size; ++row) {
       for (int column = 0; column < m_size; ++column) {
-        const WrittenNumber& written = at(row, column);
+        const CouplingNumber& written = at(row, column);
         const Rational& exact = expected(row, column);
-        if (written.standsFor(exact) || found.size() >= kMostEntries) continue;
+        if (written.standsFor(exact) || found.size() >= kMaxEntries) continue;
         const bool isSign = !exact.isZero() && written.standsFor(-exact);
         found.push_back(finding(
             "entry", isSign ? translated("%1, %2: the sign of %3 is wrong; it is %4.",
@@ -246,8 +246,8 @@ Product rowTimesColumn(const Written& a, std::size_t row, const Written& b, std:
                        std::size_t columns, std::size_t size) {
   Product sum;
   for (std::size_t k = 0; k < size; ++k) {
-    const WrittenNumber& x = a[row * size + k];
-    const WrittenNumber& y = b[k * columns + column];
+    const CouplingNumber& x = a[row * size + k];
+    const CouplingNumber& y = b[k * columns + column];
     sum.value += x.value * y.value;
     sum.bound += x.value.abs() * y.tolerance + y.value.abs() * x.tolerance + x.tolerance * y.tolerance;
   }
@@ -279,7 +279,7 @@ std::optional<CouplingFinding> checkOffsets(const WrittenCoupling& written) {
   const auto size = static_cast<std::size_t>(written.size);
   for (std::size_t row = 0; row < size; ++row) {
     const Product back = rowTimesColumn(*written.jointToMotor, row, *written.jointOffsets, 0, 1, size);
-    const WrittenNumber& offset = (*written.motorOffsets)[row];
+    const CouplingNumber& offset = (*written.motorOffsets)[row];
     if ((offset.value + back.value).abs() <= back.bound + offset.tolerance) continue;
     return CouplingFinding{
         "offsets", translated("The offsets do not cancel: motor offset %1 is %2, the joints' offsets ask "
@@ -338,4 +338,4 @@ std::string couplingCheckJson(const Mechanism& mechanism, const JointCoupling& c
   return sink.take();
 }
 
-}  // namespace geargraph::inline coupling_check
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/teaching/coupling_check/written_coupling.h"
 #include "core/theory/matroid/joint_coupling.h"
 
-namespace geargraph::inline coupling_check {
+namespace geargraph {
 
 /// Something that a controller's file says, and what is wrong with it.
 struct CouplingFinding {
@@ -33,4 +33,4 @@ struct CouplingFinding {
 [[nodiscard]] std::string couplingCheckJson(const Mechanism& mechanism, const JointCoupling& coupling,
                                             const std::vector<CouplingFinding>& findings);
 
-}  // namespace geargraph::inline coupling_check
+}  // namespace geargraph

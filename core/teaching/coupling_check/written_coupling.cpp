@@ -4,13 +4,13 @@
 #include <array>
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json.h"
 
-namespace geargraph::inline coupling_check {
+namespace geargraph {
 namespace {
 
-using Numbers = std::vector<WrittenNumber>;
+using Numbers = std::vector<CouplingNumber>;
 
 Diagnostics wrongCoupling(std::string message, int line = 1) {
   Diagnostic diagnostic;
@@ -28,8 +28,8 @@ Rational tenTo(int exponent) {
 /// A matrix, or why it is none.
 Expected<Numbers> squareOf(const std::vector<Numbers>& rows, const std::vector<int>& lines, int& size) {
   if (rows.empty()) return wrongCoupling(translated("There is no row of numbers."));
-  if (rows.size() > static_cast<std::size_t>(kMostWrittenRows))
-    return wrongCoupling(translated("A matrix has at most %1 rows.", {std::to_string(kMostWrittenRows)}));
+  if (rows.size() > static_cast<std::size_t>(kMaxWrittenRows))
+    return wrongCoupling(translated("A matrix has at most %1 rows.", {std::to_string(kMaxWrittenRows)}));
   Numbers all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != rows.size()) {
@@ -105,7 +105,7 @@ class CouplingReader {
         if (!number)
           return wrongCoupling(translated("\"%1\" is no number.", {std::string(word.substr(0, 40))}), line);
         row.push_back(*std::move(number));
-        if (row.size() > static_cast<std::size_t>(kMostWrittenRows)) break;
+        if (row.size() > static_cast<std::size_t>(kMaxWrittenRows)) break;
       }
       if (row.empty()) continue;
       rows.push_back(std::move(row));
@@ -186,11 +186,11 @@ bool looksLikeJson(std::string_view text) {
 
 }  // namespace
 
-std::optional<WrittenNumber> writtenNumber(std::string_view text) {
+std::optional<CouplingNumber> writtenNumber(std::string_view text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   const auto value = Rational::fromText(text);
   if (!value) return std::nullopt;
-  WrittenNumber number{*value, 0, std::string(text)};
+  CouplingNumber number{*value, 0, std::string(text)};
   const std::size_t point = text.find('.');
   if (point == std::string_view::npos) return number;
   const std::size_t exponent = text.find_first_of("eE");
@@ -219,4 +219,4 @@ Expected<WrittenCoupling> readWrittenCoupling(std::string_view text, std::option
   return reader.readLines(*alone);
 }
 
-}  // namespace geargraph::inline coupling_check
+}  // namespace geargraph

@@ -8,12 +8,12 @@
 #include "core/foundations/base/expected.h"
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline coupling_check {
+namespace geargraph {
 
 /// A number as a controller's file writes it. A decimal may be rounded: it stands for what is within half a
 /// unit of its last digit (of digits below 1e-15 of it, for printed doubles); a fraction or a whole number
 /// for itself.
-struct WrittenNumber {
+struct CouplingNumber {
   Rational value;
   Rational tolerance;
   std::string text;
@@ -22,25 +22,25 @@ struct WrittenNumber {
 };
 
 /// std::nullopt for what is no number.
-[[nodiscard]] std::optional<WrittenNumber> writtenNumber(std::string_view text);
+[[nodiscard]] std::optional<CouplingNumber> writtenNumber(std::string_view text);
 
 enum class CouplingMatrix { motorToJoint, jointToMotor };
 
 /// The matrices of a controller, row by row, with the offsets of angles: joints = A motors + jointOffsets.
 struct WrittenCoupling {
   int size = 0;
-  std::optional<std::vector<WrittenNumber>> motorToJoint;
-  std::optional<std::vector<WrittenNumber>> jointToMotor;
-  std::optional<std::vector<WrittenNumber>> jointOffsets;
-  std::optional<std::vector<WrittenNumber>> motorOffsets;
+  std::optional<std::vector<CouplingNumber>> motorToJoint;
+  std::optional<std::vector<CouplingNumber>> jointToMotor;
+  std::optional<std::vector<CouplingNumber>> jointOffsets;
+  std::optional<std::vector<CouplingNumber>> motorOffsets;
 
-  [[nodiscard]] const std::optional<std::vector<WrittenNumber>>& of(CouplingMatrix which) const {
+  [[nodiscard]] const std::optional<std::vector<CouplingNumber>>& of(CouplingMatrix which) const {
     return which == CouplingMatrix::motorToJoint ? motorToJoint : jointToMotor;
   }
 };
 
 /// The most rows of a matrix.
-constexpr int kMostWrittenRows = 100;
+constexpr int kMaxWrittenRows = 100;
 
 /// Is this a JSON object with `motorToJoint` or `jointToMotor`?
 [[nodiscard]] bool isWrittenCoupling(std::string_view text);
@@ -53,4 +53,4 @@ constexpr int kMostWrittenRows = 100;
 [[nodiscard]] Expected<WrittenCoupling> readWrittenCoupling(std::string_view text,
                                                             std::optional<CouplingMatrix> alone);
 
-}  // namespace geargraph::inline coupling_check
+}  // namespace geargraph

@@ -1,10 +1,10 @@
 #include "core/teaching/derivation/cell_explanation.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/graph/matrices.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 std::string label(int number) {
@@ -213,4 +213,4 @@ std::string printedEntry(int value) {
   return value < 0 ? "−" + label(-value) : label(value);
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

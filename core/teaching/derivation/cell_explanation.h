@@ -7,7 +7,7 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 /// The explanation of a matrix entry in words.
 struct CellExplanation {
@@ -34,4 +34,4 @@ struct CellExplanation {
 /// "−1", "0", "1": with the Unicode minus sign.
 [[nodiscard]] std::string printedEntry(int value);
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 class CoefficientTable final : public QuantityTable {
@@ -134,4 +134,4 @@ QuantityTablePtr coefficientTable(SnapshotPtr snapshot, EntryForm form) {
   return std::make_shared<const CoefficientTable>(std::move(snapshot), form);
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -1,10 +1,10 @@
 #include "core/teaching/derivation/glossary.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 const std::vector<Definition>& glossary() {
   static const std::vector<Definition> definitions = {
@@ -211,4 +211,4 @@ Term termOf(QuantityKind kind) {
   GEARGRAPH_REQUIRE(false);
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/graph/paper_equation.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 enum class QuantityKind;
 
@@ -71,4 +71,4 @@ struct Definition {
 [[nodiscard]] Term termOf(MatrixKind kind);
 [[nodiscard]] Term termOf(QuantityKind kind);
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

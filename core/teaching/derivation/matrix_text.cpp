@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 /// The labels of the rows or columns, parted by blanks.
@@ -104,4 +104,4 @@ std::string matrixAsciiName(MatrixKind kind) {
   GEARGRAPH_REQUIRE(false);
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

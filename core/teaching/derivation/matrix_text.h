@@ -4,7 +4,7 @@
 
 #include "core/mechanism/graph/integer_matrix.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 // A matrix as text for other programs. All carry the labels: as a header row and column (TSV, LaTeX) or in a
 // comment (MATLAB, NumPy). The partition is a vertical rule in LaTeX and is left out elsewhere.
@@ -28,4 +28,4 @@ namespace geargraph::inline derivation {
 /// The name of the matrix as an ASCII identifier: Gamma0, Gamma, Z, T, C, Q.
 [[nodiscard]] std::string matrixAsciiName(MatrixKind kind);
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -4,12 +4,12 @@
 #include <charconv>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/locale.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/quantity_tables.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 const std::vector<QuantityKind>& allQuantityKinds() {
   static const std::vector<QuantityKind> kinds = {QuantityKind::screws, QuantityKind::coefficients,
@@ -148,4 +148,4 @@ QuantityEntry irrationalEntry(int column, double value) {
   return {column, "≈ " + text, "\\approx " + spokenTexNumber(text), value, false};
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -11,11 +11,11 @@
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline files {
+namespace geargraph {
 struct CsvOptions;
-}  // namespace geargraph::inline files
+}  // namespace geargraph
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 /// The quantities of both methods other than the matrices of the digraph.
 enum class QuantityKind {
@@ -111,4 +111,4 @@ void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptio
 /// The value with about six digits, for the screen.
 [[nodiscard]] std::string shortDecimal(double value);
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 
 // The tables of quantity_table.h. @pre formsOf() names the form
 
@@ -30,4 +30,4 @@ namespace geargraph::inline derivation {
 /// For an irrational value that was requested as a fraction.
 [[nodiscard]] QuantityEntry irrationalEntry(int column, double value);
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/files/csv.h"
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 enum class Spelling { plain, latex, readableLatex };
@@ -158,4 +158,4 @@ std::string quantityNumpy(const QuantityTable& table) {
   return text + "])\n";
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -1,11 +1,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/matroid/screw.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the largest component: what doubles lose, shown as 0
@@ -97,7 +97,7 @@ class ScrewTable final : public QuantityTable {
 
   [[nodiscard]] Screw<double> screwOf(Place place) const {
     const auto joint = static_cast<std::size_t>(place.joint);
-    const AxisClasses& classes = *placement().classes;
+    const AxisGroups& classes = *placement().classes;
     const AxisLine& line = placement().lineOfClass(classes.classOf[joint]);
     const double sense = classes.orientationSign[joint];
     return screwAbout(placement().meshes[place.mesh]->pitchPoint, line.point, sense * line.direction);
@@ -106,7 +106,7 @@ class ScrewTable final : public QuantityTable {
   /// Nothing where the pitch point or the length of the direction is a root.
   [[nodiscard]] std::optional<Screw<Rational>> exactScrewOf(Place place) const {
     const auto joint = static_cast<std::size_t>(place.joint);
-    const AxisClasses& classes = *placement().classes;
+    const AxisGroups& classes = *placement().classes;
     const auto point = exactPitchPoint(*m_snapshot->mechanism, placement(), place.mesh);
     const ExactLine line = exactLineOfClass(*m_snapshot->mechanism, placement(), classes.classOf[joint]);
     const auto length = dot(line.direction, line.direction).squareRoot();
@@ -132,4 +132,4 @@ QuantityTablePtr screwTable(SnapshotPtr snapshot, EntryForm form) {
   return std::make_shared<const ScrewTable>(std::move(snapshot), form);
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

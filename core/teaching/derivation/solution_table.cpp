@@ -1,7 +1,7 @@
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/quantity_tables.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 class SolutionTable final : public QuantityTable {
@@ -89,4 +89,4 @@ QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form) {
   return std::make_shared<const SolutionTable>(std::move(snapshot), form);
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

@@ -1,11 +1,11 @@
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/ttgraph/notation.h"
 #include "core/theory/ttgraph/tt_matrices.h"
 
-namespace geargraph::inline derivation {
+namespace geargraph {
 namespace {
 
 /// What both matrices of the T-T graph share: their columns, the branches and the chords.
@@ -40,7 +40,7 @@ class TtTable : public QuantityTable {
   [[nodiscard]] Heading chordHeading(int chord) const {
     const TtChordOf of = m_matrices.chord(chord);
     if (of.held >= 0) {
-      const CouplingId id = couplingOf(of.held).id;
+      const ShiftElementId id = couplingOf(of.held).id;
       return {0, id.text(), id};
     }
     const int edge = m_graph.graph().t() + of.mesh;
@@ -51,13 +51,13 @@ class TtTable : public QuantityTable {
   [[nodiscard]] std::string chordWords(int chord) const {
     const TtChordOf of = m_matrices.chord(chord);
     const std::string name = chordHeading(chord).text;
-    if (of.held >= 0) return base::translated("the chord of coupling %1", {name});
+    if (of.held >= 0) return translated("the chord of coupling %1", {name});
     const VelocityName ends = nameOf(of);
-    return base::translated("the chord %1 from gear %2 to carrier %3",
-                            {name, std::to_string(ends.of), std::to_string(ends.relativeTo)});
+    return translated("the chord %1 from gear %2 to carrier %3",
+                      {name, std::to_string(ends.of), std::to_string(ends.relativeTo)});
   }
   [[nodiscard]] std::string jointWords(JointOrdinal joint) const {
-    return base::translated("joint %1", {branchHeading(joint).text});
+    return translated("joint %1", {branchHeading(joint).text});
   }
 
   [[nodiscard]] static std::vector<QuantityEntry> entriesOf(const std::vector<TtEntry>& row) {
@@ -85,7 +85,7 @@ class TtTable : public QuantityTable {
     const TerminalPair& pair = *m_graph.terminal(of.mesh);
     return of.isTail ? tailChordName(pair) : headChordName(pair);
   }
-  [[nodiscard]] const Coupling& couplingOf(int held) const {
+  [[nodiscard]] const ShiftElement& couplingOf(int held) const {
     const int position = m_graph.held()[static_cast<std::size_t>(held)].coupling;
     return m_snapshot->mechanism->couplings[position];
   }
@@ -110,30 +110,28 @@ class TtCircuitTable final : public TtTable {
 
   [[nodiscard]] CellExplanation explanation(int row, int column) const override {
     const int value = valueAt(matrices().circuit(row), column);
-    CellExplanation cell{
-        base::translated("f-circuit of %1, %2: %3",
-                         {rowHeading(row).text, columnHeading(column).text, printedEntry(value)}),
-        {}};
-    cell.text = textOf(row, column, value) + " " + base::translated("Eqs. (31) to (38)");
+    CellExplanation cell{translated("f-circuit of %1, %2: %3",
+                                    {rowHeading(row).text, columnHeading(column).text, printedEntry(value)}),
+                         {}};
+    cell.text = textOf(row, column, value) + " " + translated("Eqs. (31) to (38)");
     return cell;
   }
 
  private:
   [[nodiscard]] std::string textOf(int row, int column, int value) const {
     if (column >= matrices().branches()) {
-      return value != 0
-                 ? base::translated("The f-circuit that %1 closes: the chord itself counts as 1.",
-                                    {chordWords(row)})
-                 : base::translated("An f-circuit holds one chord, its own: here %1.", {chordWords(row)});
+      return value != 0 ? translated("The f-circuit that %1 closes: the chord itself counts as 1.",
+                                     {chordWords(row)})
+                        : translated("An f-circuit holds one chord, its own: here %1.", {chordWords(row)});
     }
     const std::string joint = jointWords(column);
     if (value == 0)
-      return base::translated("%1 is not between the ends of %2.", {capitalised(joint), chordWords(row)});
-    return value < 0 ? base::translated(
+      return translated("%1 is not between the ends of %2.", {capitalised(joint), chordWords(row)});
+    return value < 0 ? translated(
                            "The velocity of %1 is a sum of branches, in which %2 counts with "
                            "plus. On one side with the chord it is −1.",
                            {chordWords(row), joint})
-                     : base::translated(
+                     : translated(
                            "The velocity of %1 is a sum of branches, in which %2 counts with "
                            "minus. On one side with the chord it is 1.",
                            {chordWords(row), joint});
@@ -161,11 +159,10 @@ class TtCutsetTable final : public TtTable {
 
   [[nodiscard]] CellExplanation explanation(int row, int column) const override {
     const int value = valueAt(matrices().cutset(row), column);
-    CellExplanation cell{
-        base::translated("f-cutset of joint %1, %2: %3",
-                         {rowHeading(row).text, columnHeading(column).text, printedEntry(value)}),
-        {}};
-    cell.text = textOf(row, column, value) + " " + base::translated("Not in the paper.");
+    CellExplanation cell{translated("f-cutset of joint %1, %2: %3",
+                                    {rowHeading(row).text, columnHeading(column).text, printedEntry(value)}),
+                         {}};
+    cell.text = textOf(row, column, value) + " " + translated("Not in the paper.");
     return cell;
   }
 
@@ -173,26 +170,25 @@ class TtCutsetTable final : public TtTable {
   [[nodiscard]] std::string textOf(int row, int column, int value) const {
     const std::string joint = jointWords(row);
     if (column == row) {
-      return base::translated(
+      return translated(
           "Without %1 the tree falls into two halves; the torque in the joint itself "
           "counts as 1.",
           {joint});
     }
     if (column < matrices().branches())
-      return base::translated("An f-cutset holds one branch, its own: %1, not %2.",
-                              {joint, jointWords(column)});
+      return translated("An f-cutset holds one branch, its own: %1, not %2.", {joint, jointWords(column)});
     const std::string chord = chordWords(column - matrices().branches());
     if (value == 0) {
-      return base::translated(
+      return translated(
           "Both ends of %1 are in the same half without %2: its torque is not in this "
           "equation.",
           {chord, joint});
     }
-    return value > 0 ? base::translated(
+    return value > 0 ? translated(
                            "The torque of %1 acts across the cut, in the sense of %2: minus its "
                            "entry in the f-circuit.",
                            {chord, joint})
-                     : base::translated(
+                     : translated(
                            "The torque of %1 acts across the cut, against the sense of %2: minus "
                            "its entry in the f-circuit.",
                            {chord, joint});
@@ -209,4 +205,4 @@ QuantityTablePtr ttCutsetTable(SnapshotPtr snapshot) {
   return std::make_shared<const TtCutsetTable>(std::move(snapshot));
 }
 
-}  // namespace geargraph::inline derivation
+}  // namespace geargraph

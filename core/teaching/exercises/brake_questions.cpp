@@ -7,7 +7,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kLeastTorque = 5;  ///< N m at the drive
@@ -15,7 +15,7 @@ constexpr int kMaxTorque = 60;
 
 /// One torque of a comparison: of a coupling in a state.
 struct Carried {
-  CouplingOrdinal coupling = 0;
+  ShiftElementOrdinal coupling = 0;
   const StateTorques* state = nullptr;
   [[nodiscard]] Rational size() const { return state->couplings[coupling]->abs(); }
 };
@@ -43,16 +43,16 @@ std::vector<Comparison> comparisonsOf(const ExerciseSource& source, const std::v
     if (differ) all.push_back(std::move(comparison));
   };
   const auto couplings = static_cast<int>(source.mechanism().couplings.size());
-  const auto isEngaged = [](const StateTorques& state, CouplingOrdinal coupling) {
+  const auto isEngaged = [](const StateTorques& state, ShiftElementOrdinal coupling) {
     return state.couplings[coupling].has_value();
   };
   for (const StateTorques& state : states) {
     Comparison ofState;
-    for (CouplingOrdinal coupling = 0; coupling < couplings; ++coupling)
+    for (ShiftElementOrdinal coupling = 0; coupling < couplings; ++coupling)
       if (isEngaged(state, coupling)) ofState.torques.push_back({coupling, &state});
     add(std::move(ofState));
   }
-  for (CouplingOrdinal coupling = 0; coupling < couplings; ++coupling) {
+  for (ShiftElementOrdinal coupling = 0; coupling < couplings; ++coupling) {
     Comparison ofCoupling{false, {}};
     for (const StateTorques& state : states)
       if (isEngaged(state, coupling)) ofCoupling.torques.push_back({coupling, &state});
@@ -87,11 +87,11 @@ class BrakeQuestion {
   [[nodiscard]] const ShiftState& stateOf(const StateTorques& torques) const {
     return m_source.mechanism().states[static_cast<std::size_t>(torques.state)];
   }
-  [[nodiscard]] const Coupling& couplingOf(CouplingOrdinal coupling) const {
+  [[nodiscard]] const ShiftElement& couplingOf(ShiftElementOrdinal coupling) const {
     return m_source.mechanism().couplings[coupling];
   }
-  [[nodiscard]] std::string nameOf(CouplingOrdinal coupling) const {
-    const Coupling& named = couplingOf(coupling);
+  [[nodiscard]] std::string nameOf(ShiftElementOrdinal coupling) const {
+    const ShiftElement& named = couplingOf(coupling);
     return couplingName(named.kind, named.id.text());
   }
   [[nodiscard]] std::string optionOf(const Carried& each) const {
@@ -136,7 +136,8 @@ class BrakeQuestion {
       m_build.question.prompt += translated(
           "Which of the engaged brakes and clutches carries the largest torque, and how large is it in N m, "
           "without a sign? A fraction or a decimal of three digits will do.");
-      for (const Coupling& coupling : m_source.mechanism().couplings) options.push_back(coupling.id.text());
+      for (const ShiftElement& coupling : m_source.mechanism().couplings)
+        options.push_back(coupling.id.text());
       for (const Carried& each : m_comparison.torques)
         m_build.question.elements.emplace_back(couplingOf(each.coupling).id);
     } else {
@@ -198,7 +199,7 @@ class BrakeQuestion {
     if (m_comparison.isOfState) {
       for (std::size_t i = 0; i < m_largest.state->couplings.size(); ++i) {
         if (m_largest.state->couplings[i]) continue;
-        const CouplingOrdinal coupling = static_cast<int>(i);
+        const ShiftElementOrdinal coupling = static_cast<int>(i);
         m_build.wrongField(
             "released-coupling", 0, {couplingOf(coupling).id.text()},
             translated("The %1 is released in this state: it carries no torque.", {nameOf(coupling)}),
@@ -206,7 +207,7 @@ class BrakeQuestion {
       }
       return;
     }
-    const CouplingId& id = couplingOf(m_largest.coupling).id;
+    const ShiftElementId& id = couplingOf(m_largest.coupling).id;
     for (const ShiftState& state : m_source.mechanism().states) {
       if (std::find(state.engaged.begin(), state.engaged.end(), id) != state.engaged.end()) continue;
       m_build.wrongField("released-coupling", 0, {state.name},
@@ -254,7 +255,7 @@ class BrakeQuestion {
   /// Is the largest torque that of the only brake, on the axis of drive and load?
   [[nodiscard]] bool holdsTheSum(const StateTorques& state) const {
     for (std::size_t i = 0; i < state.couplings.size(); ++i) {
-      const bool isBrake = couplingOf(static_cast<int>(i)).kind == CouplingKind::brake;
+      const bool isBrake = couplingOf(static_cast<int>(i)).kind == ShiftElementKind::brake;
       const bool isLargest = static_cast<int>(i) == m_largest.coupling;
       if (state.couplings[i] && isBrake != isLargest) return false;
     }
@@ -268,8 +269,8 @@ class BrakeQuestion {
     std::optional<Carried> fastest;
     Rational most = 0;
     for (const Carried& each : m_comparison.torques) {
-      const Coupling& coupling = couplingOf(each.coupling);
-      if (coupling.kind == CouplingKind::brake) continue;
+      const ShiftElement& coupling = couplingOf(each.coupling);
+      if (coupling.kind == ShiftElementKind::brake) continue;
       const LinkOrdinal link = m_source.graph().nodeOf(coupling.links.front());
       if (link == 0 || m_source.tree()->parent(link) != 0) continue;
       const Rational speed = rates[m_source.tree()->jointToParent(link)].abs();
@@ -329,4 +330,4 @@ ExerciseEntry brakeTorqueEntry() {
       .make = brakeTorqueQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

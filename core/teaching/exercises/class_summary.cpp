@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/csv.h"
 #include "core/teaching/exercises/exercise_kinds.h"
 #include "core/teaching/grading/mistake_names.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr std::array<const char*, 4> kResults = {"right", "wrong", "unreadable", "unanswered"};
@@ -133,4 +133,4 @@ th { width: 20em; } td:nth-child(3) { width: 5em; } td:last-child { width: 20em;
          heading + "</h1>\n" + body + "</body>\n</html>\n";
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

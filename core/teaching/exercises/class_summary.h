@@ -8,7 +8,7 @@
 #include "core/teaching/grading/grade.h"
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// What a class got right and which mistakes it made, question by question: how often, and by whom. Variants
 /// of a sheet ask the same kinds of questions in one order, so that question 3 is the same question to all.
@@ -49,4 +49,4 @@ class ClassSummary {
   std::map<int, Asked> m_questions;
 };
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxCoefficients = 12;
@@ -128,4 +128,4 @@ ExerciseEntry coefficientEntry() {
           .make = coefficientQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 /// The joints of the walk from a mesh's head back to its tail, with their senses.
@@ -256,4 +256,4 @@ ExerciseEntry anyCyclesEntry() {
           .make = anyCyclesQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -6,16 +6,16 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
-constexpr int kMaxEdges = 4;
+constexpr int kMaxAskedEdges = 4;
 constexpr int kMaxRows = 12;
 
 /// Some edges, one mesh among them where there is one, ascending.
 std::vector<int> someEdges(const ExerciseSource& source, ExerciseRandom& random) {
   const Digraph& graph = source.graph();
-  std::vector<int> edges = random.someOf(firstNumbers(graph.edgeCount()), kMaxEdges);
+  std::vector<int> edges = random.someOf(firstNumbers(graph.edgeCount()), kMaxAskedEdges);
   if (graph.c() > 0 && edges.back() < graph.t()) edges.back() = graph.t() + random.below(graph.c());
   return edges;
 }
@@ -304,4 +304,4 @@ ExerciseEntry reducedIncidenceEntry() {
           .make = reducedIncidenceQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

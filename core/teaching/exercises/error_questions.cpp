@@ -6,10 +6,10 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
-constexpr int kMaxEntries = 180;
+constexpr int kMaxErrorEntries = 180;
 constexpr int kMaxWide = 20;
 
 /// "C15", a letter with digits, becomes "C_{15}".
@@ -63,7 +63,7 @@ std::vector<MatrixKind> searchableMatrices(const ExerciseSource& source) {
   for (const MatrixKind kind : {MatrixKind::incidence, MatrixKind::path, MatrixKind::cycleBasis}) {
     const IntegerMatrixPtr& matrix = source.matrix(kind);
     if (matrix && matrix->rows() > 1 && matrix->columns() > 1 && matrix->columns() <= kMaxWide &&
-        matrix->rows() * matrix->columns() <= kMaxEntries)
+        matrix->rows() * matrix->columns() <= kMaxErrorEntries)
       kinds.push_back(kind);
   }
   return kinds;
@@ -143,4 +143,4 @@ ExerciseEntry wrongEntryEntry() {
           .make = wrongEntryQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

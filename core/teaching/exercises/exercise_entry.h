@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/exercises/exercise_kinds.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// What a mechanism lacks for a question, in a few words: "no meshes". std::nullopt: nothing.
 using Lack = std::optional<std::string>;
@@ -97,4 +97,4 @@ constexpr auto kExerciseEntries = std::to_array<ExerciseEntry (*)()>({
 });
 static_assert(kExerciseEntries.size() == kExerciseKindCount);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

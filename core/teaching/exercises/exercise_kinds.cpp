@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/exercise_statics.h"
 #include "core/teaching/exercises/link_gears.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 const std::vector<ExerciseEntry>& exerciseEntries() {
@@ -76,4 +76,4 @@ Question makeQuestion(const ExerciseSource& source, ExerciseKind kind, ExerciseR
   return question;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

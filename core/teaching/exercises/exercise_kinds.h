@@ -10,7 +10,7 @@
 #include "core/teaching/exercises/exercise_source.h"
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// The kinds of questions about a mechanism, in the order of the paper.
 enum class ExerciseKind : std::uint8_t {
@@ -65,4 +65,4 @@ enum class LessonView : std::uint8_t { digraph, ttGraph, schematic };
 /// random numbers give the same question. @pre !reasonAgainst(source, kind)
 [[nodiscard]] Question makeQuestion(const ExerciseSource& source, ExerciseKind kind, ExerciseRandom& random);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/teaching/exercises/exercise_entry.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 Lack withoutEdges(const ExerciseSource& source) {
   if (source.graph().edgeCount() == 0) return translated("no joints");
@@ -39,4 +39,4 @@ Lack withoutStates(const ExerciseSource& source) {
   return statesWithRatio(source).empty() ? Lack(translated("no states with a ratio")) : std::nullopt;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

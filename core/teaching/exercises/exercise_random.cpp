@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 std::uint64_t randomSeed() {
   constexpr unsigned kMask = 0x7FFFFFFFU;
@@ -43,4 +43,4 @@ std::vector<int> ExerciseRandom::someOf(std::vector<int> numbers, int count) {
   return numbers;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// A seed for a new sheet, from the system's source of random numbers: below 2^31, so that it can be typed.
 [[nodiscard]] std::uint64_t randomSeed();
@@ -39,4 +39,4 @@ class ExerciseRandom {
   std::uint64_t m_state;
 };
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxDraws = 20;  ///< until a question differs from those before it
@@ -39,4 +39,4 @@ SheetVariant makeVariant(const ExerciseSource& source, const SheetPlan& plan, in
   return sheet;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

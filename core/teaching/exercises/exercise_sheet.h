@@ -8,7 +8,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/teaching/exercises/exercise_kinds.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 constexpr int kMaxVariants = 1'000;
 constexpr int kMaxQuestions = 100;
@@ -59,4 +59,4 @@ constexpr int kSheetVersion = 1;
 /// mechanism.
 [[nodiscard]] std::string sheetMark(const SheetFile& sheet);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

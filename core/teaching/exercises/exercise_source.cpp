@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 /// All sets of couplings of at most `most`, small ones first; at most kMaxEngagedSets, but always the given
@@ -30,7 +30,7 @@ std::vector<std::vector<int>> setsOf(int couplings, std::size_t most,
   return sets;
 }
 
-std::vector<int> positionsOf(const Mechanism& mechanism, const std::vector<CouplingId>& ids) {
+std::vector<int> positionsOf(const Mechanism& mechanism, const std::vector<ShiftElementId>& ids) {
   std::vector<int> positions;
   for (std::size_t i = 0; i < mechanism.couplings.size(); ++i) {
     if (std::find(ids.begin(), ids.end(), mechanism.couplings[i].id) != ids.end())
@@ -89,7 +89,8 @@ void ExerciseSource::solveStates() {
     tried.states.clear();
     for (const std::vector<int>& set : sets) {
       ShiftState candidate{"", {}, asked.drive, asked.driven, {}};
-      for (const CouplingOrdinal coupling : set) candidate.engaged.push_back(document.couplings[coupling].id);
+      for (const ShiftElementOrdinal coupling : set)
+        candidate.engaged.push_back(document.couplings[coupling].id);
       tried.states.push_back(std::move(candidate));
     }
     const LiveKinematics& live = *m_snapshot->kinematics;
@@ -163,4 +164,4 @@ DifficultyNote difficultyOf(const ExerciseSource& source) {
                                                : translated("hard: %1", {text})};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// With more moving links, exercises cannot be answered on paper.
 constexpr int kMaxExerciseLinks = 60;
@@ -88,4 +88,4 @@ struct DifficultyNote {
 /// "Medium": for sheets, whose questions ask for the counts of the note.
 [[nodiscard]] std::string difficultyTitle(Difficulty level);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 const KinematicModel& modelOf(const ExerciseSource& source) {
@@ -175,4 +175,4 @@ std::optional<TrainEfficiency> efficiencyOf(const ExerciseSource& source, const 
   return result;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/teaching/exercises/exercise_source.h"
 #include "core/theory/statics/losses.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// The torques of a state with 1 N m at its drive and the load at its driven link, without losses.
 struct StateTorques {
@@ -53,4 +53,4 @@ struct TrainEfficiency {
                                                           const DrivenTrain& train,
                                                           const Rational& meshEfficiency);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

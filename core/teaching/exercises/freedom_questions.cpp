@@ -6,7 +6,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxPairs = 40;  ///< of proportional joints that are named
@@ -264,4 +264,4 @@ ExerciseEntry inputsEntry() {
           .make = inputsQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/ttgraph/notation.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 void addGears(NumberSymbols& symbols, const std::string& label, const std::vector<LinkGear>& gears) {
@@ -65,4 +65,4 @@ NumberSymbols numberSymbols(const ExerciseSource& source) {
   return symbols;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

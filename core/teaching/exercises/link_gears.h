@@ -6,7 +6,7 @@
 #include "core/teaching/exercises/exercise_source.h"
 #include "core/teaching/grading/number_text.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// A gear of a link in one mesh.
 struct LinkGear {
@@ -21,4 +21,4 @@ struct LinkGear {
 /// N4 and pitch diameters d4 (N7' and N7'' for the meshes of a link in their order).
 [[nodiscard]] NumberSymbols numberSymbols(const ExerciseSource& source);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

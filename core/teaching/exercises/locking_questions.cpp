@@ -8,7 +8,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr const char* kLocks = toTranslate("locks itself");
@@ -100,7 +100,7 @@ class LockingQuestion {
     m_driven = translated("link $%1$", {m_source.linkLabel(m_train.driven)});
     const ShiftState& state = m_source.mechanism().states[static_cast<std::size_t>(m_train.state)];
     std::vector<std::string> engaged;
-    for (const CouplingId& coupling : state.engaged) engaged.push_back(namedInPrompt(coupling.text()));
+    for (const ShiftElementId& coupling : state.engaged) engaged.push_back(namedInPrompt(coupling.text()));
     return translated("In state “%1”, with %2 engaged, %3 drives a load on %4.",
                       {namedInPrompt(state.name), listed(engaged, kAllNames), m_drive, m_driven});
   }
@@ -220,4 +220,4 @@ ExerciseEntry selfLockingEntry() {
           .make = selfLockingQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

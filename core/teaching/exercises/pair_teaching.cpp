@@ -1,8 +1,8 @@
 #include "core/teaching/exercises/pair_teaching.h"
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr const char* kExternalFactor = toTranslate(
@@ -73,4 +73,4 @@ const PairTeaching& pairTeaching(MeshKind kind) {
   return pairTeachings()[kind];
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

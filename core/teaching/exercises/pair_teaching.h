@@ -2,7 +2,7 @@
 
 #include "core/mechanism/kinds/pair_kind.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// What is taught about a kind of gear pair. Sentences are marked by toTranslate().
 struct PairTeaching {
@@ -19,4 +19,4 @@ struct PairTeaching {
 [[nodiscard]] KindTable<MeshKind, PairTeaching>& pairTeachings();
 [[nodiscard]] const PairTeaching& pairTeaching(MeshKind kind);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

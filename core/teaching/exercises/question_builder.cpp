@@ -6,7 +6,7 @@
 
 #include "core/teaching/grading/conditions.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 QuestionBuilder::QuestionBuilder(ExerciseKind kind, int points) {
   question.kind = kindName(kind);
@@ -161,4 +161,4 @@ std::vector<int> firstNumbers(int count) {
   return numbers;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

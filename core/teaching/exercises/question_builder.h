@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/exercises/exercise_kinds.h"
 #include "core/teaching/grading/read_answer.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// Builds a question. Mistakes are tested in the order in which they are added; one whose answer is accepted,
 /// or explained by an earlier mistake on this mechanism, is left out.
@@ -75,4 +75,4 @@ class QuestionBuilder {
 [[nodiscard]] std::string edgeName(const ExerciseSource& source, int edge);
 [[nodiscard]] std::vector<int> firstNumbers(int count);  ///< 0 .. count-1
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

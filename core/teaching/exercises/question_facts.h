@@ -2,7 +2,7 @@
 
 #include "core/teaching/exercises/exercise_kinds.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 // What several questions, or the entries of their kinds, ask of a mechanism.
 
@@ -33,4 +33,4 @@ struct PlanetPair {
 /// By mesh: 1 if its row is a linear combination of others, so that it may be left out.
 [[nodiscard]] std::vector<char> dispensableMeshes(const ExerciseSource& source);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/ordinal.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 std::optional<std::vector<Rational>> ratesFrom(std::vector<std::vector<Rational>> rows,
                                                std::span<const std::pair<int, Rational>> inputs) {
@@ -43,4 +43,4 @@ std::optional<std::vector<Rational>> ratesFrom(std::vector<std::vector<Rational>
   return rates;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

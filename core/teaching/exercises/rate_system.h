@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// The rates of all joints from some linear equations and the rates of the inputs, by elimination in
 /// fractions; also for wrong equations of a learner. std::nullopt if the equations do not determine the
@@ -17,4 +17,4 @@ namespace geargraph::inline exercises {
 [[nodiscard]] std::optional<std::vector<Rational>> ratesFrom(
     std::vector<std::vector<Rational>> rows, std::span<const std::pair<int, Rational>> inputs);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kLeastTorque = 5;  ///< N m at the drive
@@ -18,12 +18,12 @@ constexpr const char* kAgainst = toTranslate("against the drive's torque");
 /// An engaged brake that carries a torque about the axis of the drive.
 struct HoldingBrake {
   StateTorques state;
-  CouplingOrdinal coupling = 0;
+  ShiftElementOrdinal coupling = 0;
   bool isAlone = false;  ///< no other brake is engaged, and the load turns about the same axis
   [[nodiscard]] const Rational& torque() const { return *state.couplings[coupling]; }
 };
 
-const Coupling& couplingOf(const ExerciseSource& source, CouplingOrdinal coupling) {
+const ShiftElement& couplingOf(const ExerciseSource& source, ShiftElementOrdinal coupling) {
   return source.mechanism().couplings[coupling];
 }
 
@@ -41,13 +41,13 @@ std::vector<HoldingBrake> holdingBrakes(const ExerciseSource& source) {
     if (!torques) continue;
     const ShiftState& asked = states[static_cast<std::size_t>(state)];
     const AxisId& axis = axisOf(source, *asked.drive);
-    const auto isBrake = [&](CouplingOrdinal coupling) {
-      return torques->couplings[coupling] && couplingOf(source, coupling).kind == CouplingKind::brake;
+    const auto isBrake = [&](ShiftElementOrdinal coupling) {
+      return torques->couplings[coupling] && couplingOf(source, coupling).kind == ShiftElementKind::brake;
     };
     const auto all = static_cast<int>(torques->couplings.size());
     int engaged = 0;
-    for (CouplingOrdinal coupling = 0; coupling < all; ++coupling) engaged += isBrake(coupling) ? 1 : 0;
-    for (CouplingOrdinal coupling = 0; coupling < all; ++coupling) {
+    for (ShiftElementOrdinal coupling = 0; coupling < all; ++coupling) engaged += isBrake(coupling) ? 1 : 0;
+    for (ShiftElementOrdinal coupling = 0; coupling < all; ++coupling) {
       if (!isBrake(coupling) || torques->couplings[coupling]->isZero()) continue;
       if (axisOf(source, couplingOf(source, coupling).links.front()) != axis) continue;
       brakes.push_back({*torques, coupling, engaged == 1 && axisOf(source, *asked.driven) == axis});
@@ -153,7 +153,7 @@ class ReactionQuestion {
   HoldingBrake m_brake;
   int m_drive;
   const ShiftState& m_state;
-  const Coupling& m_coupling;
+  const ShiftElement& m_coupling;
   Rational m_torque;
   std::string m_with = translated(kWith);
   std::string m_against = translated(kAgainst);
@@ -194,4 +194,4 @@ ExerciseEntry brakeReactionEntry() {
           .make = brakeReactionQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -1,12 +1,12 @@
 #include <charconv>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 #include "core/teaching/grading/member_reader.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 /// What the mark is made of: plan and mechanism.
@@ -117,4 +117,4 @@ Expected<SheetFile> readSheet(std::string_view text) {
   return sheet;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

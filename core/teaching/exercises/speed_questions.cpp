@@ -8,7 +8,7 @@
 #include "core/teaching/exercises/question_facts.h"
 #include "core/teaching/exercises/rate_system.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kFastest = 6;     ///< rad/s of an input
@@ -156,4 +156,4 @@ ExerciseEntry speedEntry() {
           .make = speedQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

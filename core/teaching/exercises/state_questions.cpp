@@ -6,19 +6,19 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 std::string couplingSet(const ExerciseSource& source, const std::vector<int>& couplings) {
   std::vector<std::string> names;
-  for (const CouplingOrdinal coupling : couplings)
+  for (const ShiftElementOrdinal coupling : couplings)
     names.push_back(source.mechanism().couplings[coupling].id.text());
   return setText(names);
 }
 
 std::vector<ElementId> couplingIds(const ExerciseSource& source, const std::vector<int>& couplings) {
   std::vector<ElementId> ids;
-  for (const CouplingOrdinal coupling : couplings)
+  for (const ShiftElementOrdinal coupling : couplings)
     ids.emplace_back(source.mechanism().couplings[coupling].id);
   return ids;
 }
@@ -62,7 +62,7 @@ Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random
   build.question.rule = translated("With %1 engaged one degree of freedom is left and the ratio is %2.",
                                    {couplingSet(source, right.couplings), inWords(ratio)});
   std::vector<std::string> options;
-  for (const Coupling& coupling : source.mechanism().couplings) options.push_back(coupling.id.text());
+  for (const ShiftElement& coupling : source.mechanism().couplings) options.push_back(coupling.id.text());
   build.field(toTranslate("engaged"), FieldKind::set, options);
   build.question.fields.front().mayBeEmpty = true;
   std::vector<std::vector<std::string>> alternatives;
@@ -121,4 +121,4 @@ ExerciseEntry engagementEntry() {
           .make = engagementQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

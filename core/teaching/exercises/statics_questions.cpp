@@ -4,7 +4,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
@@ -58,4 +58,4 @@ ExerciseEntry portTorqueEntry() {
           .make = portTorqueQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kMinTeethAsked = 15;
@@ -164,4 +164,4 @@ ExerciseEntry ringTeethEntry() {
           .make = ringTeethQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& random) {
@@ -78,4 +78,4 @@ ExerciseEntry spanningTreeEntry() {
           .make = spanningTreeQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

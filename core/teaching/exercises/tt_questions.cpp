@@ -10,7 +10,7 @@
 #include "core/teaching/exercises/question_facts.h"
 #include "core/theory/ttgraph/notation.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxBranches = 12;
@@ -327,4 +327,4 @@ ExerciseEntry fundamentalCircuitEntry() {
           .make = fundamentalCircuitQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

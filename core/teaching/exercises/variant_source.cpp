@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr std::uint64_t kMechanismStream = 1'000'000;  ///< of random numbers; questions have those from 0 on
 constexpr int kMaxAttempts = 6;
 constexpr int kMaxChangedMeshes = 2;
-constexpr int kMinTeeth = 12;
+constexpr int kMinVariantTeeth = 12;
 constexpr int kMaxAdded = 9;
 
 /// Errors and warnings, the complete analysis included.
@@ -63,7 +63,7 @@ TeethChange changeOf(const SheetPlan& plan, int variant) {
 Mechanism withOtherTeeth(const Mechanism& mechanism, TeethChange change, ExerciseRandom& random) {
   PlacedMechanism placed(mechanism);
   const int meshes = mechanism.c();
-  const auto other = [](int teeth, int added) { return std::max(kMinTeeth, teeth + added); };
+  const auto other = [](int teeth, int added) { return std::max(kMinVariantTeeth, teeth + added); };
   for (int changes = random.between(1, kMaxChangedMeshes); changes > 0 && meshes > 0; --changes) {
     const GearMesh& mesh = placed.mechanism().gearMeshes[static_cast<std::size_t>(random.below(meshes))];
     const auto edited = withTeethFitted(placed, mesh.id, other(mesh.tailTeeth, change.tail),
@@ -104,4 +104,4 @@ ExerciseSource variantSource(const ExerciseSource& source, const SheetPlan& plan
   return source;
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

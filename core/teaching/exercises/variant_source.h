@@ -2,7 +2,7 @@
 
 #include "core/teaching/exercises/exercise_sheet.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 
 /// The mechanism of a variant with its results: other numbers of teeth, arrows, and labels of links, joints
 /// and meshes, so that no answer can be taken over from a neighbour. A sheet with one variant is about the
@@ -14,4 +14,4 @@ namespace geargraph::inline exercises {
 /// @pre 1 <= variant; the source supports every kind of the plan
 [[nodiscard]] ExerciseSource variantSource(const ExerciseSource& source, const SheetPlan& plan, int variant);
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

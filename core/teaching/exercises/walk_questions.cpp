@@ -6,7 +6,7 @@
 #include "core/teaching/exercises/question_builder.h"
 #include "core/teaching/exercises/question_facts.h"
 
-namespace geargraph::inline exercises {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxWidth = 16;  ///< columns of a row to fill in
@@ -397,4 +397,4 @@ ExerciseEntry cutsetEntry() {
           .make = cutsetQuestion};
 }
 
-}  // namespace geargraph::inline exercises
+}  // namespace geargraph

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxCutsetNames = 12;
 
 /// The equation of a sum that is determined, or not.
 std::string equationOf(const std::string& symbols, const std::string& numbers, bool isDetermined) {
@@ -19,8 +19,8 @@ std::string equationOf(const std::string& symbols, const std::string& numbers, b
 /// Which links a joint cuts off, and which meshes cross.
 std::string sentenceOf(const std::string& joint, const std::vector<std::string>& links,
                        const std::vector<std::string>& meshes) {
-  const std::string beyond = listed(links, kMaxNames);
-  const std::string crossing = listed(meshes, kMaxNames);
+  const std::string beyond = listed(links, kMaxCutsetNames);
+  const std::string crossing = listed(meshes, kMaxCutsetNames);
   if (links.size() == 1) {
     if (meshes.empty()) return translated("Joint %1 cuts off link %2: no mesh crosses.", {joint, beyond});
     if (meshes.size() == 1)
@@ -119,7 +119,7 @@ class Cutset {
           Real(own->second) * m_report.solution().values[static_cast<std::size_t>(m_model.c()) + part];
       const bool isDetermined = m_report.solution().isDetermined(m_model.c() + static_cast<int>(part));
       if (held.coupling >= 0) {
-        const CouplingId id = m_mechanism.couplings[held.coupling].id;
+        const ShiftElementId id = m_mechanism.couplings[held.coupling].id;
         add(id, "T(" + id.text() + ")", torque, isDetermined);
       } else {
         const LinkOrdinal link = m_report.problem.balances[static_cast<std::size_t>(held.balance)].link;
@@ -225,4 +225,4 @@ std::optional<std::string> driverSentence(const Mechanism& mechanism, const Plac
                    {driver, driven, name, watts, carrier});
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/teaching/force_tables/force_table.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 
 /// One torque of a cutset equation, N m: of an element that crosses the cutset, positive along the joint's
 /// torque.
@@ -38,4 +38,4 @@ struct CutsetWords {
                                                         const Placement& placement,
                                                         const StaticsReport& report, MeshOrdinal mesh);
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/teaching/force_tables/cutset_words.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 namespace {
 
 /// A term of a sum: " + 60", " - 60"; the first without a plus.
@@ -105,4 +105,4 @@ std::optional<DualEquations> dualEquations(const Mechanism& mechanism, const Kin
   return equations;
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 
 /// The duality of kinematics and statics: a row of P, for the speeds of a mesh (17), and a column, for the
 /// torque in a joint (17*), with their common entry. Lengths are counted in teeth, so that all entries are
@@ -30,4 +30,4 @@ struct DualEquations {
                                                          const StaticsReport& report,
                                                          std::optional<int> joint, std::optional<int> mesh);
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

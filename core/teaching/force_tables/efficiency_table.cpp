@@ -2,7 +2,7 @@
 
 #include "core/teaching/force_tables/spoken_cell.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 namespace {
 
 ForceCell cellOf(const std::optional<double>& number, bool isLocked = false) {
@@ -53,4 +53,4 @@ ValueTable efficiencyTable(const Mechanism& mechanism, const StaticsReport& repo
   return table;
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

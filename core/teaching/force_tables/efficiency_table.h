@@ -3,7 +3,7 @@
 #include "core/teaching/force_tables/force_table.h"
 #include "core/theory/statics/efficiency_curve.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 
 /// The title of the curve's variable: "speed of joint 6 / joint 5", "efficiency of every mesh".
 [[nodiscard]] std::string axisTitle(const Mechanism& mechanism, const EfficiencyCurve& curve);
@@ -15,4 +15,4 @@ namespace geargraph::inline force_tables {
 [[nodiscard]] ValueTable efficiencyTable(const Mechanism& mechanism, const StaticsReport& report,
                                          const EfficiencyCurve& curve);
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -4,11 +4,11 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/position_index.h"
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/teaching/force_tables/spoken_cell.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 namespace {
 
 constexpr const char* kShared =
@@ -226,7 +226,7 @@ class Rows {
     for (std::size_t part = 0; part < m_report.held.size(); ++part) {
       const HeldPart& held = m_report.held[part];
       if (held.coupling < 0) continue;
-      const Coupling& coupling = m_mechanism.couplings[held.coupling];
+      const ShiftElement& coupling = m_mechanism.couplings[held.coupling];
       std::vector<ElementId> elements{ElementId(coupling.id)};
       std::string links;
       for (const LinkId& link : coupling.links) {
@@ -296,9 +296,9 @@ class Rows {
     ForceRow& line = row({meshId(mesh), linkId(geometry.tail), linkId(geometry.head)});
     const bool isDetermined = m_report.solution().isDetermined(mesh);
     const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
-    const auto torque = [&](const Real& size, int gear, ClassOrdinal axisClass) {
+    const auto torque = [&](const Real& size, int gear, AxisGroupOrdinal axisGroup) {
       if (!isDetermined) return wordCell(kShared);
-      return exactCell(Real(orientationSignAt(m_placement, gear, axisClass)) * size);
+      return exactCell(Real(orientationSignAt(m_placement, gear, axisGroup)) * size);
     };
     line.cells = {cell(std::to_string(m_mechanism.meshLabel(mesh))),
                   cell(linkName(geometry.tail)),
@@ -418,9 +418,9 @@ class Rows {
     }
     return {};
   }
-  static const char* couplingText(const Coupling& coupling) {
-    if (coupling.kind == CouplingKind::freewheel) return toTranslate("freewheel %1");
-    return coupling.kind == CouplingKind::brake ? toTranslate("brake %1") : toTranslate("clutch %1");
+  static const char* couplingText(const ShiftElement& coupling) {
+    if (coupling.kind == ShiftElementKind::freewheel) return toTranslate("freewheel %1");
+    return coupling.kind == ShiftElementKind::brake ? toTranslate("brake %1") : toTranslate("clutch %1");
   }
   [[nodiscard]] ForceCell nameOf(const ElementPower& element) const {
     switch (element.kind) {
@@ -429,7 +429,7 @@ class Rows {
       case ElementPower::Kind::joint:
         return nameCell(toTranslate("joint %1"), std::to_string(m_mechanism.jointLabel(element.position)));
       case ElementPower::Kind::coupling: {
-        const Coupling& coupling = m_mechanism.couplings[element.position];
+        const ShiftElement& coupling = m_mechanism.couplings[element.position];
         return nameCell(couplingText(coupling), coupling.id.text());
       }
       case ElementPower::Kind::load:
@@ -492,4 +492,4 @@ ForceTable forceTable(const Mechanism& mechanism, const KinematicModel& model, c
   return table;
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -4,9 +4,9 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 namespace {
 
 struct Names {
@@ -100,4 +100,4 @@ std::string shownReal(const Real& value) {
   return value.isExact() ? readableNumber(*value.fraction()) : readableNumber(value.number());
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

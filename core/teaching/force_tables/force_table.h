@@ -9,7 +9,7 @@
 #include "core/foundations/files/csv.h"
 #include "core/theory/statics/shift_statics.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 
 /// The tables of statics, for the window and CSV files.
 enum class ForceTableKind { joints, couplings, meshes, bearings, powers, circulations, states };
@@ -75,4 +75,4 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
 /// As a fraction if it is rational and short, else with about six digits.
 [[nodiscard]] std::string shownReal(const Real& value);
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

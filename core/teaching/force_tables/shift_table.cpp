@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/foundations/base/position_index.h"
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/teaching/force_tables/spoken_cell.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 namespace {
 
 ForceCell numberCell(double value) {
@@ -29,12 +29,12 @@ std::size_t placeOf(ShiftColumn column, std::size_t couplings) {
 std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
   std::vector<ForceColumn> columns{
       wordedColumn(toTranslate("state"), "", toTranslate("The state of the gearbox, by its name."), false)};
-  for (const Coupling& coupling : mechanism.couplings) {
-    const bool isBrake = coupling.kind == CouplingKind::brake;
+  for (const ShiftElement& coupling : mechanism.couplings) {
+    const bool isBrake = coupling.kind == ShiftElementKind::brake;
     columns.push_back(
         {coupling.id.text(), "N m",
          isBrake ? translated("The torque that the brake exerts on its link while it is engaged.")
-         : coupling.kind == CouplingKind::freewheel
+         : coupling.kind == ShiftElementKind::freewheel
              ? translated(
                    "The torque that the freewheel exerts on the first of its links while it is locked; "
                    "the second one has the reaction.")
@@ -153,4 +153,4 @@ ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> s
   return table;
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/force_tables/force_table.h"
 
-namespace geargraph::inline force_tables {
+namespace geargraph {
 
 /// A cell with the text that `compose` returns, in the current language, and in English for files.
 template <class Compose>
 ForceCell spokenCell(const Compose& compose) {
   ForceCell cell{compose(), std::nullopt, {}};
-  const InEnglish english;
+  const EnglishScope english;
   cell.textInFiles = compose();
   return cell;
 }
@@ -20,7 +20,7 @@ template <class Compose>
 ForceColumn spokenColumn(const Compose& compose, std::string unit, std::string meaning, bool isNumber,
                          bool isFraction = false) {
   ForceColumn column{compose(), std::move(unit), std::move(meaning), isNumber, isFraction};
-  const InEnglish english;
+  const EnglishScope english;
   column.headInFiles = compose();
   return column;
 }
@@ -32,4 +32,4 @@ inline ForceColumn wordedColumn(const char* head, std::string unit, const char* 
                       isFraction);
 }
 
-}  // namespace geargraph::inline force_tables
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 using Fields = std::vector<const ReadField*>;
@@ -216,4 +216,4 @@ bool allHold(std::span<const Condition> conditions, const ReadAnswer& answer) {
                      [&](const Condition& condition) { return holds(condition, answer); });
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/teaching/grading/read_answer.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// Does the condition hold for this answer? A condition on a field that cannot be parsed does not hold.
 /// Cost: linear in the condition and the answer; `basis` and `dependent` an exact elimination, `rows` the
@@ -14,4 +14,4 @@ namespace geargraph::inline grading {
 
 [[nodiscard]] bool allHold(std::span<const Condition> conditions, const ReadAnswer& answer);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/teaching/grading/written_name.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// Is a comma before three digits a decimal sign, as in "1,250"? Where it is not, such a number is ambiguous.
 enum class CommaUse { ambiguous, decimal };
@@ -242,4 +242,4 @@ class ExpressionReader {
   ExpressionStop m_stop;
 };
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/grading/conditions.h"
 #include "core/teaching/grading/nearest_answer.h"
 #include "core/teaching/grading/written_rows.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxQuoteLength = 40;  ///< characters of an answer that a sentence repeats
@@ -175,4 +175,4 @@ Verdict grade(const Question& question, const std::vector<std::string>& texts) {
   return verdict;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

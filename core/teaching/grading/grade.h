@@ -6,7 +6,7 @@
 
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// A mistake found in an answer: its name, its place and the reason.
 struct FoundMistake {
@@ -37,4 +37,4 @@ struct Verdict {
 /// @pre a text for each field
 [[nodiscard]] Verdict grade(const Question& question, const std::vector<std::string>& answer);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

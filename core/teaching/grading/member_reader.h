@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/foundations/base/diagnostic.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/files/json.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// Reads members of JSON objects and keeps the first error with its JSON pointer: `schema`, unless another
 /// code is given.
@@ -112,7 +112,7 @@ class MemberReader {
         fail(pointer + "/elements", translated("\"%1\" is no list of the document with an id.", {text}));
         return all;
       }
-      all.emplace_back(*kind, Atom(text.substr(slash + 1)));
+      all.emplace_back(*kind, InternedString(text.substr(slash + 1)));
     }
     return all;
   }
@@ -131,4 +131,4 @@ class MemberReader {
   std::optional<Diagnostic> m_fault;
 };
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 std::span<const MistakeName> mistakeNames() {
   static constexpr MistakeName kNames[] = {
@@ -138,4 +138,4 @@ std::string_view mistakeTitle(std::string_view name) {
   return found->title;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

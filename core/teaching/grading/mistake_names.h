@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// A known mistake with a short title. Names are stable: tables of results and scripts depend on them.
 struct MistakeName {
@@ -17,4 +17,4 @@ struct MistakeName {
 /// @pre there is such a mistake
 [[nodiscard]] std::string_view mistakeTitle(std::string_view name);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -5,36 +5,37 @@
 
 #include "core/teaching/grading/conditions.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 using Row = std::vector<std::string>;
-using Agreement = std::vector<char>;  ///< by field of the condition
+using AnswerAgreement = std::vector<char>;  ///< by field of the condition
 
 constexpr std::size_t kMinOfMultiple = 2;  ///< cells that fix the factor of a row
 
-Agreement agreementWith(const ReadAnswer& answer, const std::vector<int>& fields, const Row& row) {
-  Agreement agrees;
+AnswerAgreement answerAgreement(const ReadAnswer& answer, const std::vector<int>& fields, const Row& row) {
+  AnswerAgreement agrees;
   for (std::size_t i = 0; i < fields.size(); ++i)
     agrees.push_back(answer[static_cast<std::size_t>(fields[i])].readsLike(row[i]) ? 1 : 0);
   return agrees;
 }
 
 /// With the multiple of the row that most cells agree with; empty if no two of them do.
-Agreement agreementWithMultiple(const ReadAnswer& answer, const std::vector<int>& fields, const Row& row) {
+AnswerAgreement agreementWithMultiple(const ReadAnswer& answer, const std::vector<int>& fields,
+                                      const Row& row) {
   const auto number = [&](std::size_t i) -> const ReadField& {
     return answer[static_cast<std::size_t>(fields[i])];
   };
   const auto isRead = [&](std::size_t i) {
     return number(i).fault == AnswerFault::none && !number(i).isEmpty;
   };
-  Agreement best;
+  AnswerAgreement best;
   std::size_t most = kMinOfMultiple - 1;
   for (std::size_t pivot = 0; pivot < row.size(); ++pivot) {
     const Rational expected = *Rational::fromText(row[pivot]);
     if (!isRead(pivot) || expected.isZero() || number(pivot).number.value.isZero()) continue;
     const Rational factor = number(pivot).number.value / expected;
-    Agreement agrees;
+    AnswerAgreement agrees;
     std::size_t count = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Rational value = factor * *Rational::fromText(row[i]);
@@ -60,11 +61,11 @@ CellMarks compareCells(const Question& question, const ReadAnswer& answer) {
     const std::vector<int>& fields = condition.fields.empty() ? all : condition.fields;
     const Row* row = &condition.values.front();
     const bool hasRow = condition.test == Test::values || condition.test == Test::multiple;
-    Agreement agrees;
+    AnswerAgreement agrees;
     if (condition.test == Test::values) {
       std::ptrdiff_t most = -1;
       for (const Row& other : condition.values) {
-        Agreement with = agreementWith(answer, fields, other);
+        AnswerAgreement with = answerAgreement(answer, fields, other);
         const auto count = std::count(with.begin(), with.end(), 1);
         if (count <= most) continue;
         most = count;
@@ -92,4 +93,4 @@ CellMarks compareCells(const Question& question, const ReadAnswer& answer) {
   return marks;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

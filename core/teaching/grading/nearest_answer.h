@@ -4,7 +4,7 @@
 
 #include "core/teaching/grading/read_answer.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// An answer, cell by cell, against the accepted one that most of its cells agree with.
 struct CellMarks {
@@ -17,4 +17,4 @@ struct CellMarks {
 /// their fields. Cost: that of the conditions.
 [[nodiscard]] CellMarks compareCells(const Question& question, const ReadAnswer& answer);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxLength = 200;
@@ -152,4 +152,4 @@ WrittenNumber readNumber(std::string_view text, const NumberNotation& notation) 
   return {NumberFault::none, amount.value * factor, amount.slack * factor, {}};
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/teaching/grading/expression_reader.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 enum class NumberFault { none, notANumber, ambiguous, unknownName, otherUnit };
 
@@ -47,4 +47,4 @@ struct WrittenNumber {
 /// is always a decimal point. At most 200 bytes.
 [[nodiscard]] WrittenNumber readNumber(std::string_view text, const NumberNotation& notation = {});
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

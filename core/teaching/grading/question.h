@@ -7,7 +7,7 @@
 #include "core/foundations/base/id.h"
 #include "core/teaching/grading/number_text.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// The type of a field: an integer, a rational number, one of its options, or a set of its options.
 enum class FieldKind { integer, number, choice, set };
@@ -94,4 +94,4 @@ struct Question {
   friend bool operator==(const Question&, const Question&) = default;
 };
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

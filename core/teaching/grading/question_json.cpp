@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 constexpr auto kRow = JsonWriter::Layout::row;
@@ -162,4 +162,4 @@ std::string answersJson(const AnswerSheet& answers) {
   return sink.take() + '\n';
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

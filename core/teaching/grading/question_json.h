@@ -9,7 +9,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// With the key (accepted answers, solution, mistakes), or only what a learner sees.
 enum class QuestionPart { withKey, withoutKey };
@@ -46,4 +46,4 @@ constexpr int kAnswersVersion = 1;
 [[nodiscard]] std::string_view testName(Test test);            ///< "spanning-tree"
 [[nodiscard]] std::string_view fieldKindName(FieldKind kind);  ///< "integer"
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "core/foundations/base/rational.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/grading/question_json.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxFields = 10'000;
@@ -232,4 +232,4 @@ Expected<AnswerSheet> readAnswers(std::string_view text) {
   return sheet;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

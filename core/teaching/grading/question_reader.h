@@ -8,7 +8,7 @@
 #include "core/teaching/grading/member_reader.h"
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// Reads a member with conditions, as in exercises.schema.json. unsoundPart() checks whether they fit the
 /// fields of a question.
@@ -19,4 +19,4 @@ namespace geargraph::inline grading {
 /// "mistakes"; std::nullopt if it can.
 [[nodiscard]] std::optional<std::string> unsoundPart(const Question& question);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

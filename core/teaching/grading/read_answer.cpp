@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 constexpr std::string_view kMinusSign = "\u2212";
@@ -185,4 +185,4 @@ bool ReadField::readsLike(const std::string& value) const {
   return expected && number.agreesWith(*expected);
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/teaching/grading/number_text.h"
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 enum class AnswerFault { none, empty, notANumber, ambiguousNumber, unknownName, otherUnit, notAChoice };
 
@@ -37,4 +37,4 @@ using ReadAnswer = std::vector<ReadField>;
 /// A set in the notation of answers and conditions: "8,9,11".
 [[nodiscard]] std::string setText(const std::vector<std::string>& elements);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

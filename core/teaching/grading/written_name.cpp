@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 bool isDigit(char c) {
@@ -142,4 +142,4 @@ std::optional<WrittenName> nameAt(const std::string& text, std::size_t& at) {
   return name;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

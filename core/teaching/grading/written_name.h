@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// A parsed symbol, independent of its notation: \omega_{51}'', ω₅₁'' and w51'' are {"w", "51", 2}.
 struct WrittenName {
@@ -19,4 +19,4 @@ struct WrittenName {
 /// Reads a symbol at `at` of a text in plain notation and moves past it: "i15", "n_{41}", "n15,1", "N7''".
 [[nodiscard]] std::optional<WrittenName> nameAt(const std::string& text, std::size_t& at);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

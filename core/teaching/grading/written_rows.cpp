@@ -4,7 +4,7 @@
 
 #include "core/teaching/grading/read_answer.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 std::vector<std::string> entriesOf(const std::string& text, CommaUse comma) {
@@ -41,4 +41,4 @@ std::vector<std::string> withRowsSpread(const Question& question, std::vector<st
   return answer;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

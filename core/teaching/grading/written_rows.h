@@ -5,7 +5,7 @@
 
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// The answer, where a row of a table that is written into its first cell fills the row: "i15,1,0" or
 /// "-1; 0,5". Only where that cell cannot be read by itself, the other cells of the row are blank, and the
@@ -14,4 +14,4 @@ namespace geargraph::inline grading {
 [[nodiscard]] std::vector<std::string> withRowsSpread(const Question& question,
                                                       std::vector<std::string> answer);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/teaching/grading/conditions.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 namespace {
 
 using Answer = std::vector<std::string>;
@@ -155,4 +155,4 @@ std::optional<std::vector<std::string>> wrongAnswer(const Question& question, co
   return *found;
 }
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

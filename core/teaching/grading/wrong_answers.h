@@ -6,7 +6,7 @@
 
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline grading {
+namespace geargraph {
 
 /// An answer with this mistake that is not accepted, as near to the question's solution as its conditions
 /// allow: for test corpora of graders. If possible one that no earlier mistake explains. std::nullopt if none
@@ -15,4 +15,4 @@ namespace geargraph::inline grading {
 [[nodiscard]] std::optional<std::vector<std::string>> wrongAnswer(const Question& question,
                                                                   const Mistake& mistake);
 
-}  // namespace geargraph::inline grading
+}  // namespace geargraph

@@ -1,12 +1,12 @@
 #include "core/teaching/lessons/course.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/teaching/lessons/bundled_files.h"
 #include "core/teaching/lessons/lesson_reader.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 namespace {
 
 std::string_view textOf(std::span<const unsigned char> bytes) {
@@ -42,4 +42,4 @@ Expected<MechanismPtr> bundledExample(const std::string& name) {
   return Diagnostic{Code::unknownId, translated("There is no example \"%1\".", {name}), {}, {}};
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

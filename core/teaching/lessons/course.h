@@ -4,7 +4,7 @@
 
 #include "core/teaching/lessons/prepared_step.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 /// The bundled lessons, in teaching order. Parsed on first use; thread-safe.
 [[nodiscard]] const std::vector<Lesson>& course();
@@ -12,4 +12,4 @@ namespace geargraph::inline lessons {
 /// A bundled example, by the name of its file: "robot".
 [[nodiscard]] Expected<MechanismPtr> bundledExample(const std::string& name);
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

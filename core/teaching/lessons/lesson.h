@@ -11,11 +11,11 @@
 #include "core/teaching/exercises/exercise_kinds.h"
 #include "core/teaching/grading/question.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 /// The results of the analysis that a task can ask for. Those with "this" in the comment need
 /// AskedQuantity::of.
-enum class Quantity : std::uint8_t {
+enum class LessonQuantity : std::uint8_t {
   links,          ///< moving ones
   turningJoints,  ///< and so on: counts
   gearMeshes,
@@ -45,7 +45,7 @@ enum class Quantity : std::uint8_t {
 };
 
 struct AskedQuantity {
-  Quantity quantity = Quantity::links;
+  LessonQuantity quantity = LessonQuantity::links;
   std::string of;  ///< an id, a state's name, or a code; empty where the quantity needs none
   friend bool operator==(const AskedQuantity&, const AskedQuantity&) = default;
 };
@@ -155,4 +155,4 @@ struct Lesson {
 constexpr int kMaxLessonWords = 60;  ///< of a step's text
 constexpr std::size_t kMaxLessonSteps = 40;
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

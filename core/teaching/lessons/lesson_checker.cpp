@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/glossary.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 namespace {
 
 class LessonChecker {
@@ -115,4 +115,4 @@ Diagnostics checkLesson(const Lesson& lesson, const ExampleSource& examples, con
   return LessonChecker(lesson, examples, stop).check();
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

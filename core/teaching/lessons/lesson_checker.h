@@ -4,7 +4,7 @@
 
 #include "core/teaching/lessons/prepared_step.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 /// Tests a lesson by solving every task and making every mistake that the lesson names. Reports with JSON
 /// pointers: a step that cannot be prepared, a solution that is not accepted, a mistake whose example is
@@ -17,4 +17,4 @@ namespace geargraph::inline lessons {
 /// its fields. @pre the question is made of the task
 [[nodiscard]] std::vector<std::string> exampleOf(const TaskMistake& mistake, const Question& question);
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

@@ -4,11 +4,11 @@
 #include <array>
 #include <charconv>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/json_checks.h"
 #include "core/teaching/lessons/task_reader.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 namespace {
 
 constexpr int kMinMinutes = 1;
@@ -178,4 +178,4 @@ Expected<Lesson> readLesson(std::string_view text) {
   return lesson;
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/teaching/lessons/lesson.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 constexpr int kLessonVersion = 1;
 
@@ -19,4 +19,4 @@ constexpr int kLessonVersion = 1;
 /// innermost existing value.
 [[nodiscard]] Diagnostics placedInText(std::string_view text, const Diagnostics& diagnostics);
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int variant) {
   GEARGRAPH_REQUIRE(!plan.kinds.empty() && plan.kinds.size() <= kMaxLessonSteps);
@@ -25,4 +25,4 @@ Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int v
   return lesson;
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

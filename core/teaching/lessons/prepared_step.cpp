@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/foundations/base/rational.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/teaching/grading/question_reader.h"
 #include "core/teaching/grading/read_answer.h"
 #include "core/teaching/lessons/quantities.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 namespace {
 
 constexpr std::uint64_t kMaxSeeds = 500;  ///< that are tried for a question about an element
@@ -233,7 +233,7 @@ DrawingVerdict checkDrawing(const DrawTask& task, const MechanismPtr& drawing, c
     if (holds) continue;
     result.failing = static_cast<int>(i);
     FoundMistake mistake{"", {}, {}, condition.reason};
-    if (condition.quantity.quantity == Quantity::errors) {
+    if (condition.quantity.quantity == LessonQuantity::errors) {
       for (const Diagnostic& diagnostic : analysis.diagnostics()) {
         if (diagnostic.severity() != Severity::error) continue;
         mistake.reason += ' ' + diagnostic.message;
@@ -280,10 +280,10 @@ std::optional<ElementId> elementLabelled(const Mechanism& mechanism, const std::
        {match(mechanism.links), match(mechanism.turningJoints), match(mechanism.gearMeshes)}) {
     if (found) return found;
   }
-  for (const Coupling& coupling : mechanism.couplings) {
+  for (const ShiftElement& coupling : mechanism.couplings) {
     if (coupling.id.text() == label) return ElementId(coupling.id);
   }
   return std::nullopt;
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

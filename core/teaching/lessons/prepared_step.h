@@ -10,7 +10,7 @@
 #include "core/teaching/grading/grade.h"
 #include "core/teaching/lessons/lesson.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 /// Returns the example with this name, or an error.
 using ExampleSource = std::function<Expected<MechanismPtr>(const std::string& name)>;
@@ -50,4 +50,4 @@ struct DrawingVerdict {
 /// The element of a label ("8") or of a coupling's id; std::nullopt if the mechanism has no such element.
 [[nodiscard]] std::optional<ElementId> elementLabelled(const Mechanism& mechanism, const std::string& label);
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

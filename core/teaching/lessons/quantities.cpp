@@ -6,54 +6,54 @@
 #include <set>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/levers/lever_plan.h"
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 namespace {
 
 constexpr int kNoCoupling = -2;  ///< the position of no coupling, and not that of a balance
 
-struct QuantityEntry {
-  Quantity quantity;
+struct LessonQuantityEntry {
+  LessonQuantity quantity;
   std::string_view name;
   bool needsName = false;
   bool isSet = false;
 };
 
 constexpr std::array kQuantities = {
-    QuantityEntry{Quantity::links, "links"},
-    QuantityEntry{Quantity::turningJoints, "turning-joints"},
-    QuantityEntry{Quantity::gearMeshes, "gear-meshes"},
-    QuantityEntry{Quantity::externalMeshes, "external-meshes"},
-    QuantityEntry{Quantity::internalMeshes, "internal-meshes"},
-    QuantityEntry{Quantity::bevelMeshes, "bevel-meshes"},
-    QuantityEntry{Quantity::couplings, "couplings"},
-    QuantityEntry{Quantity::rank, "rank"},
-    QuantityEntry{Quantity::dof, "dof"},
-    QuantityEntry{Quantity::kutzbachDof, "kutzbach-dof"},
-    QuantityEntry{Quantity::errors, "errors"},
-    QuantityEntry{Quantity::finding, "finding", true},
-    QuantityEntry{Quantity::blamed, "blamed", true, true},
-    QuantityEntry{Quantity::rate, "rate", true},
-    QuantityEntry{Quantity::outputRates, "output-rates"},
-    QuantityEntry{Quantity::ratio, "ratio", true},
-    QuantityEntry{Quantity::torque, "torque", true},
-    QuantityEntry{Quantity::cycle, "cycle", true, true},
-    QuantityEntry{Quantity::transferVertex, "transfer-vertex", true, true},
-    QuantityEntry{Quantity::groundJoints, "ground-joints"},
-    QuantityEntry{Quantity::axes, "axes"},
-    QuantityEntry{Quantity::jointsOf, "joints-of", true},
-    QuantityEntry{Quantity::meshesOf, "meshes-of", true},
-    QuantityEntry{Quantity::gearSizes, "gear-sizes", true},
-    QuantityEntry{Quantity::unequalCentres, "unequal-centres"},
-    QuantityEntry{Quantity::leverPlace, "lever-place", true},
+    LessonQuantityEntry{LessonQuantity::links, "links"},
+    LessonQuantityEntry{LessonQuantity::turningJoints, "turning-joints"},
+    LessonQuantityEntry{LessonQuantity::gearMeshes, "gear-meshes"},
+    LessonQuantityEntry{LessonQuantity::externalMeshes, "external-meshes"},
+    LessonQuantityEntry{LessonQuantity::internalMeshes, "internal-meshes"},
+    LessonQuantityEntry{LessonQuantity::bevelMeshes, "bevel-meshes"},
+    LessonQuantityEntry{LessonQuantity::couplings, "couplings"},
+    LessonQuantityEntry{LessonQuantity::rank, "rank"},
+    LessonQuantityEntry{LessonQuantity::dof, "dof"},
+    LessonQuantityEntry{LessonQuantity::kutzbachDof, "kutzbach-dof"},
+    LessonQuantityEntry{LessonQuantity::errors, "errors"},
+    LessonQuantityEntry{LessonQuantity::finding, "finding", true},
+    LessonQuantityEntry{LessonQuantity::blamed, "blamed", true, true},
+    LessonQuantityEntry{LessonQuantity::rate, "rate", true},
+    LessonQuantityEntry{LessonQuantity::outputRates, "output-rates"},
+    LessonQuantityEntry{LessonQuantity::ratio, "ratio", true},
+    LessonQuantityEntry{LessonQuantity::torque, "torque", true},
+    LessonQuantityEntry{LessonQuantity::cycle, "cycle", true, true},
+    LessonQuantityEntry{LessonQuantity::transferVertex, "transfer-vertex", true, true},
+    LessonQuantityEntry{LessonQuantity::groundJoints, "ground-joints"},
+    LessonQuantityEntry{LessonQuantity::axes, "axes"},
+    LessonQuantityEntry{LessonQuantity::jointsOf, "joints-of", true},
+    LessonQuantityEntry{LessonQuantity::meshesOf, "meshes-of", true},
+    LessonQuantityEntry{LessonQuantity::gearSizes, "gear-sizes", true},
+    LessonQuantityEntry{LessonQuantity::unequalCentres, "unequal-centres"},
+    LessonQuantityEntry{LessonQuantity::leverPlace, "lever-place", true},
 };
 
-const QuantityEntry& entryOf(Quantity quantity) {
-  const QuantityEntry& entry = kQuantities[static_cast<std::size_t>(quantity)];
+const LessonQuantityEntry& entryOf(LessonQuantity quantity) {
+  const LessonQuantityEntry& entry = kQuantities[static_cast<std::size_t>(quantity)];
   GEARGRAPH_REQUIRE(entry.quantity == quantity);
   return entry;
 }
@@ -140,7 +140,7 @@ Expected<QuantityValues> partsOf(const Mechanism& mechanism, const AskedQuantity
   const LinkId link(asked.of);
   if (!positionOf(mechanism.links, asked.of))
     return unknown(toTranslate("The document has no link \"%1\"."), asked.of);
-  if (asked.quantity == Quantity::jointsOf) return number(jointsOn(mechanism, link));
+  if (asked.quantity == LessonQuantity::jointsOf) return number(jointsOn(mechanism, link));
   std::int64_t meshes = 0;
   std::set<int> sizes;
   for (const GearMesh& mesh : mechanism.gearMeshes) {
@@ -148,27 +148,28 @@ Expected<QuantityValues> partsOf(const Mechanism& mechanism, const AskedQuantity
     if (mesh.tail == link) sizes.insert(mesh.tailTeeth);
     if (mesh.head == link) sizes.insert(mesh.headTeeth);
   }
-  return number(asked.quantity == Quantity::meshesOf ? meshes : static_cast<std::int64_t>(sizes.size()));
+  return number(asked.quantity == LessonQuantity::meshesOf ? meshes
+                                                           : static_cast<std::int64_t>(sizes.size()));
 }
 
 }  // namespace
 
-std::string_view quantityName(Quantity quantity) {
+std::string_view quantityName(LessonQuantity quantity) {
   return entryOf(quantity).name;
 }
 
-std::optional<Quantity> quantityFromName(std::string_view name) {
+std::optional<LessonQuantity> quantityFromName(std::string_view name) {
   const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
-                                  [&](const QuantityEntry& entry) { return entry.name == name; });
+                                  [&](const LessonQuantityEntry& entry) { return entry.name == name; });
   if (found == kQuantities.end()) return std::nullopt;
   return found->quantity;
 }
 
-bool needsName(Quantity quantity) {
+bool needsName(LessonQuantity quantity) {
   return entryOf(quantity).needsName;
 }
 
-bool isSetOfElements(Quantity quantity) {
+bool isSetOfElements(LessonQuantity quantity) {
   return entryOf(quantity).isSet;
 }
 
@@ -201,55 +202,55 @@ Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
     return number(count);
   };
   switch (asked.quantity) {
-    case Quantity::links:
+    case LessonQuantity::links:
       return number(m_mechanism->n());
-    case Quantity::turningJoints:
+    case LessonQuantity::turningJoints:
       return number(m_mechanism->t());
-    case Quantity::gearMeshes:
+    case LessonQuantity::gearMeshes:
       return number(m_mechanism->c());
-    case Quantity::externalMeshes:
+    case LessonQuantity::externalMeshes:
       return meshes(MeshKind::external);
-    case Quantity::internalMeshes:
+    case LessonQuantity::internalMeshes:
       return meshes(MeshKind::internal);
-    case Quantity::bevelMeshes:
+    case LessonQuantity::bevelMeshes:
       return meshes(MeshKind::bevel);
-    case Quantity::couplings:
+    case LessonQuantity::couplings:
       return number(static_cast<std::int64_t>(m_mechanism->couplings.size()));
-    case Quantity::rank:
-    case Quantity::dof:
-    case Quantity::kutzbachDof: {
+    case LessonQuantity::rank:
+    case LessonQuantity::dof:
+    case LessonQuantity::kutzbachDof: {
       const MatroidAnalysis* const matroid = live().matroid();
       if (matroid == nullptr)
         return notDefined(translated("The degrees of freedom are not defined yet: the document has errors."));
-      return number(asked.quantity == Quantity::rank  ? matroid->rank
-                    : asked.quantity == Quantity::dof ? matroid->dof
-                                                      : matroid->kutzbachDof);
+      return number(asked.quantity == LessonQuantity::rank  ? matroid->rank
+                    : asked.quantity == LessonQuantity::dof ? matroid->dof
+                                                            : matroid->kutzbachDof);
     }
-    case Quantity::errors:
-    case Quantity::finding:
-    case Quantity::blamed:
+    case LessonQuantity::errors:
+    case LessonQuantity::finding:
+    case LessonQuantity::blamed:
       return diagnosticValues(asked);
-    case Quantity::rate:
-    case Quantity::outputRates:
+    case LessonQuantity::rate:
+    case LessonQuantity::outputRates:
       return ratesOf(asked);
-    case Quantity::ratio:
+    case LessonQuantity::ratio:
       return ratioOf(asked.of);
-    case Quantity::torque:
+    case LessonQuantity::torque:
       return torqueOf(asked.of);
-    case Quantity::cycle:
-    case Quantity::transferVertex:
+    case LessonQuantity::cycle:
+    case LessonQuantity::transferVertex:
       return walkOf(asked);
-    case Quantity::groundJoints:
+    case LessonQuantity::groundJoints:
       return number(jointsOn(*m_mechanism, m_mechanism->links.front().id));
-    case Quantity::axes:
+    case LessonQuantity::axes:
       return number(axesIn(*m_mechanism, live()));
-    case Quantity::unequalCentres:
+    case LessonQuantity::unequalCentres:
       return number(unequalCentresIn(live()));
-    case Quantity::jointsOf:
-    case Quantity::meshesOf:
-    case Quantity::gearSizes:
+    case LessonQuantity::jointsOf:
+    case LessonQuantity::meshesOf:
+    case LessonQuantity::gearSizes:
       return partsOf(*m_mechanism, asked);
-    case Quantity::leverPlace:
+    case LessonQuantity::leverPlace:
       return leverPlaceOf(asked.of);
   }
   return notDefined(translated("This quantity is not known."));
@@ -259,25 +260,25 @@ QuantityValues LessonAnalysis::diagnosticValues(const AskedQuantity& asked) {
   std::int64_t count = 0;
   QuantityValues values;
   for (const Diagnostic& diagnostic : diagnostics()) {
-    const bool counts = asked.quantity == Quantity::errors ? diagnostic.severity() == Severity::error
-                                                           : isCalled(diagnostic, asked.of);
+    const bool counts = asked.quantity == LessonQuantity::errors ? diagnostic.severity() == Severity::error
+                                                                 : isCalled(diagnostic, asked.of);
     if (!counts) continue;
     ++count;
-    if (asked.quantity != Quantity::blamed) continue;
+    if (asked.quantity != LessonQuantity::blamed) continue;
     for (const ElementId& element : diagnostic.elements) {
       const bool isNew =
           std::find(values.elements.begin(), values.elements.end(), element) == values.elements.end();
       if (isNew && isLabelled(element)) values.elements.push_back(element);
     }
   }
-  if (asked.quantity != Quantity::blamed) values.numbers = {count};
+  if (asked.quantity != LessonQuantity::blamed) values.numbers = {count};
   return values;
 }
 
 Expected<QuantityValues> LessonAnalysis::ratesOf(const AskedQuantity& asked) {
   const MatroidAnalysis* const matroid = live().matroid();
   const std::optional<int> joint = positionOf(m_mechanism->turningJoints, asked.of);
-  if (asked.quantity == Quantity::rate && !joint)
+  if (asked.quantity == LessonQuantity::rate && !joint)
     return unknown(toTranslate("The document has no turning joint \"%1\"."), asked.of);
   if (matroid == nullptr || !matroid->solution)
     return notDefined(translated("The speeds are not determined yet: see Problems."));
@@ -319,7 +320,7 @@ Expected<QuantityValues> LessonAnalysis::torqueOf(const std::string& holder) {
     return notDefined(translated("The loads are not held: torques are not determined."));
   const int meshes = m_mechanism->c();
   const std::optional<int> joint = positionOf(m_mechanism->turningJoints, holder);
-  const CouplingOrdinal coupling = positionOf(m_mechanism->couplings, holder).value_or(kNoCoupling);
+  const ShiftElementOrdinal coupling = positionOf(m_mechanism->couplings, holder).value_or(kNoCoupling);
   for (std::size_t i = 0; i < report->held.size(); ++i) {
     const HeldPart& part = report->held[i];
     const bool isJoint = part.balance >= 0 && joint &&
@@ -356,7 +357,7 @@ Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {
     return notDefined(translated("The turning joints are no spanning tree: meshes close no cycles."));
   const DigraphEdge& gears = snapshot.graph->meshEdge(*mesh);
   QuantityValues values;
-  if (asked.quantity == Quantity::transferVertex) {
+  if (asked.quantity == LessonQuantity::transferVertex) {
     const auto& vertices = snapshot.kinematics->ttGraph->transferVertices().ofMesh;
     const auto& vertex = vertices[*mesh];
     if (!vertex) return notDefined(translated("Mesh \"%1\" has no transfer vertex.", {asked.of}));
@@ -370,4 +371,4 @@ Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {
   return values;
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

@@ -10,15 +10,15 @@
 #include "core/teaching/lessons/lesson.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 /// "links", "output-rates": the name in lessons.
-[[nodiscard]] std::string_view quantityName(Quantity quantity);
-[[nodiscard]] std::optional<Quantity> quantityFromName(std::string_view name);
+[[nodiscard]] std::string_view quantityName(LessonQuantity quantity);
+[[nodiscard]] std::optional<LessonQuantity> quantityFromName(std::string_view name);
 /// Does it need AskedQuantity::of?
-[[nodiscard]] bool needsName(Quantity quantity);
+[[nodiscard]] bool needsName(LessonQuantity quantity);
 /// Is it a set of elements? All others are numbers.
-[[nodiscard]] bool isSetOfElements(Quantity quantity);
+[[nodiscard]] bool isSetOfElements(LessonQuantity quantity);
 
 /// Numbers or elements, in the order of the document.
 struct QuantityValues {
@@ -55,4 +55,4 @@ class LessonAnalysis {
   SnapshotPtr m_complete;
 };
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

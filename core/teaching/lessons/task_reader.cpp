@@ -4,13 +4,13 @@
 #include <array>
 
 #include "core/foundations/base/rational.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/teaching/grading/question_json.h"
 #include "core/teaching/grading/question_reader.h"
 #include "core/teaching/lessons/quantities.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 namespace {
 
 using Answer = std::vector<std::string>;
@@ -287,7 +287,7 @@ std::optional<ElementId> readElement(MemberReader& reader, const JsonValue& obje
   for (const ElementKind kind :
        {ElementKind::link, ElementKind::turningJoint, ElementKind::gearMesh, ElementKind::coupling}) {
     if (slash != std::string::npos && listName(kind) == text.substr(0, slash))
-      return ElementId(kind, Atom(text.substr(slash + 1)));
+      return ElementId(kind, InternedString(text.substr(slash + 1)));
   }
   reader.fail(pointer + '/' + std::string(name),
               translated("\"%1\" is no list of the document with an id.", {text}));
@@ -315,4 +315,4 @@ void readTask(MemberReader& reader, const JsonValue& step, const std::string& po
   into.prompt = reader.text(*object, "prompt", place, kind != "exercise");
 }
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/teaching/grading/member_reader.h"
 #include "core/teaching/lessons/lesson.h"
 
-namespace geargraph::inline lessons {
+namespace geargraph {
 
 /// Reports an error if the object has any other member.
 void checkMembers(MemberReader& reader, const JsonValue& object, const std::string& pointer,
@@ -24,4 +24,4 @@ void checkMembers(MemberReader& reader, const JsonValue& object, const std::stri
 /// Reads the member "task" of a step with its content.
 void readTask(MemberReader& reader, const JsonValue& step, const std::string& pointer, LessonStep& into);
 
-}  // namespace geargraph::inline lessons
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 namespace {
 
 /// Counts what agrees and remembers what does not.
@@ -92,4 +92,4 @@ std::optional<Agreement> agreementWith(const TtGraph& graph, const ExactSolution
   return agreementOf(matroid, *solution);
 }
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

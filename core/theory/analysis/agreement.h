@@ -8,7 +8,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/ttgraph/tt_solution.h"
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 
 /// Both methods' solutions side by side [AU, below Eq. (44): "the same as Eq. (25)"]. Compared by joint,
 /// never by row: the paper itself exchanges two rows.
@@ -34,4 +34,4 @@ struct Agreement {
                                                      std::span<const Rational> speeds,
                                                      const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

@@ -3,13 +3,13 @@
 #include <set>
 #include <utility>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/unknown_members.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/states/engagement.h"
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 namespace {
 
 /// The placement and the T-T graph both meet axes that split or merge and meshes without a carrier; such a
@@ -126,4 +126,4 @@ SnapshotPtr analyze(MechanismPtr mechanism, std::uint64_t revision, const std::s
   return live ? analyzeFully(live, options, stop) : nullptr;
 }
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

@@ -10,12 +10,12 @@
 #include "core/theory/analysis/kinematics.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline bodies {
+namespace geargraph {
 class DerivedGeometry;
 using DerivedGeometryPtr = std::shared_ptr<const DerivedGeometry>;
-}  // namespace geargraph::inline bodies
+}  // namespace geargraph
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 
 /// Everything that is computed from one mechanism: an immutable value that all views read. Matrices are those
 /// of the train; freedom, inputs, solutions and motion are those of the train as the document engages its
@@ -81,4 +81,4 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 [[nodiscard]] SnapshotPtr analyze(MechanismPtr mechanism, std::uint64_t revision = 0,
                                   const std::stop_token& stop = {}, const SolveOptions& options = {});
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

@@ -1,10 +1,10 @@
 #include "core/theory/analysis/kinematics.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/states/engagement.h"
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 namespace {
 
 Diagnostic skipped(std::string message) {
@@ -114,4 +114,4 @@ SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinem
   return solved;
 }
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

@@ -14,7 +14,7 @@
 #include "core/theory/ttgraph/tt_graph.h"
 #include "core/theory/ttgraph/tt_solution.h"
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 
 /// What both methods compute after every edit, fast enough for dragging, for the train as the document
 /// engages its couplings.
@@ -68,4 +68,4 @@ using SolvedKinematicsPtr = std::shared_ptr<const SolvedKinematics>;
                                                    const SolveOptions& options = {},
                                                    const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/theory/analysis/worker.h"
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 namespace {
 
 /// A snapshot to be completed, and who waits for it.
@@ -28,4 +28,4 @@ AnalysisWorker::Work analysisWork() {
   };
 }
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/foundations/base/answer_worker.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::inline analysis {
+namespace geargraph {
 
 struct AnalysisRequest {
   DerivedGeometryPtr geometry;  ///< of the mechanism
@@ -17,4 +17,4 @@ using AnalysisWorker = AnswerWorker<AnalysisRequest, SnapshotPtr>;
 /// which a background thread works out when requests no longer come one after the other.
 [[nodiscard]] AnalysisWorker::Work analysisWork();
 
-}  // namespace geargraph::inline analysis
+}  // namespace geargraph

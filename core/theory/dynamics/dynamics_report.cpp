@@ -1,11 +1,11 @@
 #include "core/theory/dynamics/dynamics_report.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/pose/turning_lines.h"
 #include "core/theory/statics/applied_loads.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 namespace {
 
 Eigen::Vector3d vectorOf(const ExactVector3& exact) {
@@ -32,7 +32,7 @@ int carrierOf(const Placement& placement, AxisOrdinal axis) {
   const std::span<const int> axisOf = placement.tree->axisOf;
   for (std::size_t joint = 0; joint < axisOf.size(); ++joint) {
     if (axisOf[joint] != axis) continue;
-    const AxisClasses& classes = *placement.classes;
+    const AxisGroups& classes = *placement.classes;
     return classes.classes[classes.classOf[joint]].rootLink;
   }
   return 0;
@@ -114,4 +114,4 @@ std::optional<Expected<MechanismDynamics>> dynamicsOf(const Mechanism& mechanism
   return result;
 }
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

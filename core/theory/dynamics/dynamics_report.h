@@ -8,7 +8,7 @@
 #include "core/theory/dynamics/simulation.h"
 #include "core/theory/matroid/matroid_analysis.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 
 /// A mechanism as dynamics sees it: the inertias of its links, and the equation of motion in its inputs.
 struct MechanismDynamics {
@@ -34,4 +34,4 @@ struct MechanismDynamics {
 [[nodiscard]] std::vector<MovingLoad> movingLoads(const Mechanism& mechanism, const Placement& placement,
                                                   std::span<const Load> loads, double metres);
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

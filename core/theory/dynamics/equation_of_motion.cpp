@@ -2,10 +2,10 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 namespace {
 
-using Twist = Eigen::Matrix<double, 6, 1>;
+using SixVector = Eigen::Matrix<double, 6, 1>;
 
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d matrix;
@@ -14,16 +14,16 @@ Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
 }
 
 /// How a twist that moves along with `motion` changes.
-Twist motionCross(const Twist& motion, const Twist& twist) {
-  Twist result;
+SixVector motionCross(const SixVector& motion, const SixVector& twist) {
+  SixVector result;
   result << motion.head<3>().cross(twist.head<3>()),
       motion.tail<3>().cross(twist.head<3>()) + motion.head<3>().cross(twist.tail<3>());
   return result;
 }
 
 /// How a momentum that moves along with `motion` changes.
-Twist forceCross(const Twist& motion, const Twist& momentum) {
-  Twist result;
+SixVector forceCross(const SixVector& motion, const SixVector& momentum) {
+  SixVector result;
   result << motion.head<3>().cross(momentum.head<3>()) + motion.tail<3>().cross(momentum.tail<3>()),
       motion.head<3>().cross(momentum.tail<3>());
   return result;
@@ -37,7 +37,7 @@ TrainDynamics::TrainDynamics(DynamicTrain train)
       m_jointAngles(m_train.lines.size()),
       m_poses(m_train.links.size()),
       m_twists(m_train.links.size(), Twists::Zero(6, m_train.inputs())),
-      m_screws(m_train.links.size(), Twist::Zero()) {
+      m_screws(m_train.links.size(), SixVector::Zero()) {
   GEARGRAPH_REQUIRE(m_train.gains.rows() == static_cast<Eigen::Index>(m_train.lines.size()));
   GEARGRAPH_REQUIRE(static_cast<int>(m_train.links.size()) == m_train.tree->nodeCount());
 }
@@ -76,7 +76,7 @@ void TrainDynamics::addLoad(const MovingLoad& load) {
   }
   const auto link = static_cast<std::size_t>(load.link);
   const Eigen::Vector3d point = m_poses[link] * load.point;
-  Twist wrench;
+  SixVector wrench;
   wrench << m_poses[load.carrier].linear() * load.torque + point.cross(load.force), load.force;
   m_equation.load += m_twists[link].transpose() * wrench;
 }
@@ -92,16 +92,16 @@ const EquationOfMotion& TrainDynamics::at(const Eigen::VectorXd& angles, const E
   m_equation.load.setZero(m_train.inputs());
   m_equation.kinetic = 0;
   m_equation.potential = 0;
-  ByLink<Twist> accelerations(m_poses.size(), Twist::Zero());  // where the inputs do not accelerate
+  ByLink<SixVector> accelerations(m_poses.size(), SixVector::Zero());  // where the inputs do not accelerate
   accelerations[0].tail<3>() = -m_train.gravity;  // weight is as if the ground accelerated upwards
   for (const LinkOrdinal link : tree.preorder().subspan(1)) {
     if (stop.stop_requested()) break;
     const auto i = static_cast<std::size_t>(link);
-    const Twist velocity = m_twists[i] * speeds;
+    const SixVector velocity = m_twists[i] * speeds;
     accelerations[i] = accelerations[tree.parent(link)] +
                        rates[tree.jointToParent(link)] * motionCross(velocity, m_screws[i]);
     const Eigen::Matrix<double, 6, 6> inertia = spatialInertia(link);
-    const Twist momentum = inertia * velocity;
+    const SixVector momentum = inertia * velocity;
     m_equation.inertia.noalias() += m_twists[i].transpose() * (inertia * m_twists[i]);
     m_equation.bias.noalias() +=
         m_twists[i].transpose() * (inertia * accelerations[i] + forceCross(velocity, momentum));
@@ -123,4 +123,4 @@ Eigen::MatrixXd TrainDynamics::reflectedInertias(const Eigen::VectorXd& angles) 
   return reflected;
 }
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

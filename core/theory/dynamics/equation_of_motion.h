@@ -9,7 +9,7 @@
 #include "core/machine/solids/mass_properties.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 
 /// A load that acts on a moving train. Torques N m, forces N, lengths m; directions and points in the
 /// reference pose, base frame.
@@ -90,4 +90,4 @@ class TrainDynamics {
   EquationOfMotion m_equation;
 };
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

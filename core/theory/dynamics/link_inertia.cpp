@@ -1,11 +1,11 @@
 #include "core/theory/dynamics/link_inertia.h"
 
 #include "core/foundations/base/contract.h"
-#include "core/machine/bodies/body_recipe.h"
+#include "core/machine/body_layout/body_recipe.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/solids/toothless_gear.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 namespace {
 
 /// The gear in its own frame. Teeth too fine to be seen are a cylinder: it has their volume but for some
@@ -115,4 +115,4 @@ std::vector<LinkInertia> linkInertias(const Mechanism& mechanism, const Placemen
   return inertias;
 }
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/machine/train/train.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 
 /// Where the mass of a link comes from.
 enum class MassSource : std::uint8_t {
@@ -39,4 +39,4 @@ struct LinkInertia {
                                                     const GearTrain& train, double metres,
                                                     const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 namespace {
 
 /// The quantities of a sample with a value for each input, as they are named and found.
@@ -81,4 +81,4 @@ double energyDefect(const Simulation& simulation) {
   return most;
 }
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/theory/dynamics/simulation.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 
 /// The columns of a simulated motion as a table: "time", then for each input its angle, speed, acceleration
 /// and torque, "angle 8", then "kinetic", "potential" and "work". s, rad, N m, J. `inputs`: their labels.
@@ -25,4 +25,4 @@ namespace geargraph::inline dynamics {
 /// 0 but for the tolerance of the integration.
 [[nodiscard]] double energyDefect(const Simulation& simulation);
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
@@ -204,4 +204,4 @@ std::optional<Eigen::VectorXd> accelerationsFor(const EquationOfMotion& equation
   return scale.cwiseProduct(factors.solve(scale.cwiseProduct(torques)));
 }
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

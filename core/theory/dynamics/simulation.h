@@ -9,7 +9,7 @@
 #include "core/theory/dynamics/equation_of_motion.h"
 #include "core/theory/pose/joint_limits.h"
 
-namespace geargraph::inline dynamics {
+namespace geargraph {
 
 /// The motor of an input: tau = torque - damping * speed. With damping = torque / no-load speed it is a
 /// direct-current motor at constant voltage.
@@ -78,4 +78,4 @@ constexpr std::size_t kMaxSamples = 1'000'000;
 [[nodiscard]] std::optional<Eigen::VectorXd> accelerationsFor(const EquationOfMotion& equation,
                                                               const Eigen::VectorXd& motorTorques);
 
-}  // namespace geargraph::inline dynamics
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 
 std::vector<Rational> leverSpeeds(const LeverPlan& plan, const Placement& placement,
                                   std::span<const Rational> rates) {
@@ -13,7 +13,7 @@ std::vector<Rational> leverSpeeds(const LeverPlan& plan, const Placement& placem
     const std::vector<SpeedAbout> about = absoluteSpeed(placement, rates, link);
     GEARGRAPH_REQUIRE(about.size() <= 1);
     speeds.push_back(about.empty() ? Rational(0)
-                                   : Rational(directionSign(placement, about[0].axisClass, plan.mainAxis)) *
+                                   : Rational(directionSign(placement, about[0].axisGroup, plan.mainAxis)) *
                                          about[0].speed);
   }
   return speeds;
@@ -38,4 +38,4 @@ std::vector<Rational> speedsFromBasis(const LeverPlan& plan, std::span<const Rat
   return result;
 }
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/theory/levers/lever_plan.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 
 /// The speeds of the links of the main axis about its line, by position in LeverPlan::links, from the rates
 /// of all joints. Exact.
@@ -23,4 +23,4 @@ namespace geargraph::inline levers {
 /// @pre one speed for each link of the basis
 [[nodiscard]] std::vector<Rational> speedsFromBasis(const LeverPlan& plan, std::span<const Rational> speeds);
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/theory/levers/residue_field.h"
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 namespace {
 
 using Coordinates = std::vector<Rational>;
@@ -211,7 +211,7 @@ class LineFinder {
 };
 
 /// The first mesh from a wheel on the main axis to one whose axis points elsewhere.
-std::optional<MeshOrdinal> meshAway(const Placement& placement, ClassOrdinal mainAxis) {
+std::optional<MeshOrdinal> meshAway(const Placement& placement, AxisGroupOrdinal mainAxis) {
   for (const MeshOrdinal mesh : placement.meshes.ordinals()) {
     const MeshGeometry& geometry = *placement.meshes[mesh];
     const bool isMain = geometry.tailClass == mainAxis || geometry.headClass == mainAxis;
@@ -293,13 +293,13 @@ bool LeverPlan::areOneByMeshes(const std::vector<LinkOrdinal>& shared) const {
   });
 }
 
-ClassOrdinal mainAxisOf(const Placement& placement) {
-  const AxisClasses& classes = *placement.classes;
+AxisGroupOrdinal mainAxisOf(const Placement& placement) {
+  const AxisGroups& classes = *placement.classes;
   std::vector<int> links(classes.classes.size(), 0);
   for (std::size_t link = 1; link < classes.ofLink.size(); ++link)
     ++links[static_cast<std::size_t>(int{classes.ofLink[LinkOrdinal(link)]})];
-  ClassOrdinal main = -1;
-  for (const ClassOrdinal each : classes.classes.ordinals()) {
+  AxisGroupOrdinal main = -1;
+  for (const AxisGroupOrdinal each : classes.classes.ordinals()) {
     if (classes.classes[each].rootLink != 0) continue;
     if (main < 0 || links[static_cast<std::size_t>(int{each})] > links[static_cast<std::size_t>(int{main})])
       main = each;
@@ -346,4 +346,4 @@ std::optional<LeverPlan> leverPlanOf(const KinematicModel& model, const Placemen
   return plan;
 }
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

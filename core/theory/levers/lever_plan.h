@@ -10,7 +10,7 @@
 #include "core/theory/levers/mesh_groups.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 
 /// With more links on the main axis, or more coordinates of their points together, there is no plan.
 constexpr int kMaxLeverLinks = 400;
@@ -56,7 +56,7 @@ struct Lever {
 /// Shape     one point a link of `links`, `freedom` coordinates each.
 struct LeverPlan {
   LeverAbsence absence = LeverAbsence::unsolvable;
-  ClassOrdinal mainAxis = -1;      ///< speeds are about its line
+  AxisGroupOrdinal mainAxis = -1;  ///< speeds are about its line
   int freedom = 0;                 ///< of the train with the ground held: E
   std::vector<LinkOrdinal> links;  ///< of the main axis, the ground first, ascending
   /// The links whose speeds are the coordinates: of the main axis, the first that are independent. Where they
@@ -78,7 +78,7 @@ struct LeverPlan {
 
 /// The main axis: see LeverPlan. -1 if no class of coaxial joints is at the ground.
 /// @pre the placement has a tree
-[[nodiscard]] ClassOrdinal mainAxisOf(const Placement& placement);
+[[nodiscard]] AxisGroupOrdinal mainAxisOf(const Placement& placement);
 
 /// The plan of the meshes and of the engaged couplings in `held` (engagement.h), each of which projects the
 /// points along one direction. std::nullopt if `stop` was requested.
@@ -88,4 +88,4 @@ struct LeverPlan {
                                                    std::span<const KinematicModel::HeldRow> held = {},
                                                    const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

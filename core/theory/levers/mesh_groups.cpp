@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace geargraph::inline levers {
+namespace geargraph {
 namespace {
 
 /// Links joined into sets, each known by one of them.
@@ -33,7 +33,7 @@ void sortUnique(std::vector<T>& values) {
 
 }  // namespace
 
-bool isOnAxis(const Placement& placement, ClassOrdinal axis, LinkOrdinal link) {
+bool isOnAxis(const Placement& placement, AxisGroupOrdinal axis, LinkOrdinal link) {
   return placement.classes->classes[axis].rootLink == link ||
          (link != 0 && placement.classes->classOfLink(link) == axis);
 }
@@ -44,7 +44,7 @@ std::string MeshGroup::teethText() const {
   return text;
 }
 
-std::vector<MeshGroup> meshGroups(const Placement& placement, ClassOrdinal mainAxis) {
+std::vector<MeshGroup> meshGroups(const Placement& placement, AxisGroupOrdinal mainAxis) {
   JoinedLinks joined(placement.tree->parent.size());
   std::vector<std::vector<int>> off;  // by mesh: its links off the main axis
   for (const auto& mesh : placement.meshes) {
@@ -82,4 +82,4 @@ std::vector<MeshGroup> meshGroups(const Placement& placement, ClassOrdinal mainA
   return groups;
 }
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 
 /// Meshes that are joined by links off the main axis: a gear set. What it asks of the links on the main axis
 /// is asked by its meshes together.
@@ -26,9 +26,9 @@ struct MeshGroup {
 
 /// In the order of their first meshes. Cost: near linear in n + c.
 /// @pre every mesh has a geometry
-[[nodiscard]] std::vector<MeshGroup> meshGroups(const Placement& placement, ClassOrdinal mainAxis);
+[[nodiscard]] std::vector<MeshGroup> meshGroups(const Placement& placement, AxisGroupOrdinal mainAxis);
 
 /// Is the link on the axis: the root link of the class, or a link whose joint towards the ground is in it?
-[[nodiscard]] bool isOnAxis(const Placement& placement, ClassOrdinal axis, LinkOrdinal link);
+[[nodiscard]] bool isOnAxis(const Placement& placement, AxisGroupOrdinal axis, LinkOrdinal link);
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 
 /// Numbers modulo a 61-bit prime for the elimination (exact/fields.h).
 class ResidueField {
@@ -25,4 +25,4 @@ class ResidueField {
   PrimeField m_prime;
 };
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

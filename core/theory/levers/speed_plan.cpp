@@ -7,7 +7,7 @@
 #include "core/theory/levers/lever_plan.h"
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 namespace {
 
 constexpr double kSameHeight = 1e-6;  ///< of the distance between the axes
@@ -15,7 +15,7 @@ constexpr double kSameHeight = 1e-6;  ///< of the distance between the axes
 /// Places axes and lines; outer classes follow the classes that carry them.
 class SpeedPlanner {
  public:
-  SpeedPlanner(const Placement& placement, std::span<const Rational> rates, ClassOrdinal mainAxis)
+  SpeedPlanner(const Placement& placement, std::span<const Rational> rates, AxisGroupOrdinal mainAxis)
       : m_placement(placement), m_classes(*placement.classes), m_rates(rates) {
     m_plan.absence = SpeedPlanAbsence::none;
     m_plan.mainAxis = mainAxis;
@@ -27,7 +27,7 @@ class SpeedPlanner {
     placeAxes();
     for (LinkOrdinal link = 0; link < static_cast<int>(m_classes.ofLink.size()); ++link) addLine(link);
     // Each axis is a point of the link that carries it, and of those that turn about it.
-    for (const ClassOrdinal each : m_classes.classes.ordinals()) {
+    for (const AxisGroupOrdinal each : m_classes.classes.ordinals()) {
       const SpeedPlan::Axis& axis = m_plan.axes[each];
       extend(m_classes.classes[each].rootLink, axis.height);
     }
@@ -36,19 +36,19 @@ class SpeedPlanner {
   }
 
  private:
-  [[nodiscard]] Vector3 between(ClassOrdinal from, ClassOrdinal to) const {
+  [[nodiscard]] Vector3 between(AxisGroupOrdinal from, AxisGroupOrdinal to) const {
     const AxisLine& line = m_placement.lineOfClass(from);
     const Vector3 apart = m_placement.lineOfClass(to).point - line.point;
     return apart - dot(apart, line.direction) * line.direction;
   }
   /// The class of the link's own axis; that of the ground is the main axis.
-  [[nodiscard]] ClassOrdinal classOf(LinkOrdinal link) const {
+  [[nodiscard]] AxisGroupOrdinal classOf(LinkOrdinal link) const {
     return link == 0 ? m_plan.mainAxis : m_classes.classOfLink(link);
   }
   [[nodiscard]] Rational speedOf(LinkOrdinal link) const {
     Rational speed = 0;
     for (const SpeedAbout& part : absoluteSpeed(m_placement, m_rates, link))
-      speed += Rational(directionSign(m_placement, part.axisClass, m_plan.mainAxis)) * part.speed;
+      speed += Rational(directionSign(m_placement, part.axisGroup, m_plan.mainAxis)) * part.speed;
     return speed;
   }
 
@@ -63,22 +63,22 @@ class SpeedPlanner {
           continue;
         const bool fromTail = m_isPlaced[mesh->tailClass];
         if (fromTail == m_isPlaced[mesh->headClass]) continue;
-        const ClassOrdinal from = fromTail ? mesh->tailClass : mesh->headClass;
-        const ClassOrdinal to = fromTail ? mesh->headClass : mesh->tailClass;
+        const AxisGroupOrdinal from = fromTail ? mesh->tailClass : mesh->headClass;
+        const AxisGroupOrdinal to = fromTail ? mesh->headClass : mesh->tailClass;
         place(to, m_plan.axes[from].height + length(between(from, to)));
         more = true;
       }
     }
-    for (const ClassOrdinal each : m_classes.classes.ordinals()) {
+    for (const AxisGroupOrdinal each : m_classes.classes.ordinals()) {
       if (!m_isPlaced[each] && m_classes.classes[each].rootLink == 0)
         place(each, length(between(m_plan.mainAxis, each)));
     }
     for (bool more = true; more;) {
       more = false;
-      for (const ClassOrdinal each : m_classes.classes.ordinals()) {
+      for (const AxisGroupOrdinal each : m_classes.classes.ordinals()) {
         const LinkOrdinal carrier = m_classes.classes[each].rootLink;
         if (m_isPlaced[each] || !m_isPlaced[classOf(carrier)]) continue;
-        const ClassOrdinal from = classOf(carrier);
+        const AxisGroupOrdinal from = classOf(carrier);
         place(each, m_plan.axes[from].height + length(between(from, each)));
         SpeedPlan::Axis& axis = m_plan.axes[each];
         axis.velocity = m_plan.axes[from].velocity +
@@ -87,7 +87,7 @@ class SpeedPlanner {
       }
     }
   }
-  void place(ClassOrdinal axis, double height) {
+  void place(AxisGroupOrdinal axis, double height) {
     m_plan.axes[axis].height = height;
     m_isPlaced[axis] = true;
   }
@@ -127,7 +127,7 @@ class SpeedPlanner {
   }
 
   const Placement& m_placement;
-  const AxisClasses& m_classes;
+  const AxisGroups& m_classes;
   std::span<const Rational> m_rates;
   ByClass<bool> m_isPlaced;
   SpeedPlan m_plan;
@@ -141,8 +141,8 @@ SpeedPlan speedPlanOf(const Placement& placement, std::span<const Rational> rate
   if (!placement.tree || !placement.classes || placement.classes->classes.empty() ||
       !std::all_of(placement.meshes.begin(), placement.meshes.end(), hasGeometry))
     return none;
-  const ClassOrdinal mainAxis = mainAxisOf(placement);
-  for (const ClassOrdinal each : placement.classes->classes.ordinals()) {
+  const AxisGroupOrdinal mainAxis = mainAxisOf(placement);
+  for (const AxisGroupOrdinal each : placement.classes->classes.ordinals()) {
     if (directionSign(placement, each, mainAxis) == 0) none.absence = SpeedPlanAbsence::directions;
   }
   if (none.absence == SpeedPlanAbsence::directions) return none;
@@ -150,4 +150,4 @@ SpeedPlan speedPlanOf(const Placement& placement, std::span<const Rational> rate
   return rates.empty() ? none : SpeedPlanner(placement, rates, mainAxis).plan();
 }
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline levers {
+namespace geargraph {
 
 /// Why a mechanism has no speed plan.
 enum class SpeedPlanAbsence {
@@ -47,7 +47,7 @@ struct SpeedPlan {
     double velocity = 0;
   };
   SpeedPlanAbsence absence = SpeedPlanAbsence::unfinished;
-  ClassOrdinal mainAxis = -1;
+  AxisGroupOrdinal mainAxis = -1;
   ByClass<Axis> axes;
   std::vector<Line> lines;
   std::vector<Crossing> crossings;
@@ -59,4 +59,4 @@ struct SpeedPlan {
 /// each link.
 [[nodiscard]] SpeedPlan speedPlanOf(const Placement& placement, std::span<const Rational> rates);
 
-}  // namespace geargraph::inline levers
+}  // namespace geargraph

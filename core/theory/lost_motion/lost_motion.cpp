@@ -10,10 +10,10 @@
 #include "core/machine/train/wheel_backlash.h"
 #include "core/theory/matroid/exact_solution.h"
 
-namespace geargraph::inline lost_motion {
+namespace geargraph {
 namespace {
 
-constexpr int kMostPivots = 20'000;
+constexpr int kMaxPivots = 20'000;
 
 /// Rows over the phi, then the play e_c of each mesh as a given column: meshes, couplings, held inputs.
 SparseRows<Rational> playRows(const KinematicModel& model, std::span<const int> inputs) {
@@ -65,7 +65,7 @@ class SharedPlay {
     m_model.addRateRow(rate, joint, RationalField());
     rate.endRow();
     const LinearBound objective = boundOf(rate, 0, m_model.n(), false, 0);
-    const auto most = linearMaximum(m_bounds, objective.coefficients, kMostPivots);
+    const auto most = linearMaximum(m_bounds, objective.coefficients, kMaxPivots);
     if (!most) return std::nullopt;
     return Rational(2) * *most;  // the polytope is symmetric
   }
@@ -82,7 +82,7 @@ class SharedPlay {
 
 void addShared(LostMotion& into, const KinematicModel& model, SharedPlay& play, const ByMesh<Rational>& plays,
                const std::stop_token& stop) {
-  if (model.c() > LostMotions::kMostSharedMeshes) return;
+  if (model.c() > LostMotions::kMaxSharedMeshes) return;
   into.worst = play.rangeOf(into.joint);
   if (!into.worst) return;
   for (MeshOrdinal mesh = 0; mesh < model.c() && !stop.stop_requested(); ++mesh) {
@@ -158,4 +158,4 @@ std::optional<LostMotions> lostMotions(const Mechanism& mechanism, const Kinemat
   return result;
 }
 
-}  // namespace geargraph::inline lost_motion
+}  // namespace geargraph

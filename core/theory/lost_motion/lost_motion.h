@@ -9,7 +9,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline lost_motion {
+namespace geargraph {
 
 /// How far a joint turns from stop to stop while all inputs are held, by the play of the teeth alone.
 struct LostMotion {
@@ -41,7 +41,7 @@ struct LostMotions {
   std::vector<LostMotion> outputs;  ///< the joints that are no inputs, by label
 
   /// The most meshes of a train with shared play whose polytope is searched.
-  static constexpr int kMostSharedMeshes = 40;
+  static constexpr int kMaxSharedMeshes = 40;
 };
 
 /// Lost motion at every joint. Play of bearings, and that of teeth whose stated profile shifts do not fill
@@ -58,4 +58,4 @@ struct LostMotions {
                                                      std::span<const int> inputs,
                                                      const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline lost_motion
+}  // namespace geargraph

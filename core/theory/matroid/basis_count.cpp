@@ -7,7 +7,7 @@
 
 #include "core/theory/matroid/basis_sweep.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -182,7 +182,7 @@ class Counter {
     for (long patience = kFirstPatience; patience < m_steps; patience *= 4) {
       for (const Representation& elements : orders) {
         long steps = patience;
-        auto value = BasisSweep(m_field, elements).count(steps, m_stop);
+        auto value = FrontierBasisCounter(m_field, elements).count(steps, m_stop);
         m_steps -= patience - steps;
         if (value) return value;
         if (m_stop.stop_requested()) return std::nullopt;
@@ -274,4 +274,4 @@ std::optional<Rational> countBases(const PrimeField& field, const std::vector<in
   return Counter(field, stop).count(matroid);
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

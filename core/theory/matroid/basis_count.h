@@ -8,7 +8,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The number of bases of the linear matroid of [I; A], I the unit rows of the rank, A these sparse rows.
 /// Exact. `unitOrder`, `rowOrder`: positions of the unit rows and of the rows of A in one common order, in
@@ -25,4 +25,4 @@ namespace geargraph::inline matroid {
     const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows,
     const std::vector<int>& rowOrder, const std::stop_token& stop);
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -120,4 +120,4 @@ std::optional<std::vector<std::vector<int>>> enumerateBases(
   return lister.take();
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

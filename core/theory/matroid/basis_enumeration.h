@@ -8,7 +8,7 @@
 
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The bases of the linear matroid of these sparse rows of length `rank`, in lexicographic order, `limit` at
 /// most.
@@ -20,4 +20,4 @@ namespace geargraph::inline matroid {
     const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows, std::size_t limit,
     const std::stop_token& stop);
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

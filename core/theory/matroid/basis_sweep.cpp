@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -39,7 +39,7 @@ void scaleToOne(const PrimeField& field, Row& row) {
 }  // namespace
 
 /// The rows of the given vectors in reduced echelon form, numbered by their first elements.
-bool BasisSweep::begin(long& steps) {
+bool FrontierBasisCounter::begin(long& steps) {
   std::vector<Row> rows(static_cast<std::size_t>(m_given.rank));
   std::vector<std::vector<int>> at(m_given.vectors.size());  // by element: rows that may have it
   for (std::size_t element = 0; element < at.size(); ++element) {
@@ -75,13 +75,13 @@ bool BasisSweep::begin(long& steps) {
   return true;
 }
 
-int BasisSweep::numberOf(Row row) {
+int FrontierBasisCounter::numberOf(Row row) {
   const auto [place, isNew] = m_numbers.try_emplace(std::move(row), static_cast<int>(m_rows.size()));
   if (isNew) m_rows.push_back(&place->first);
   return place->second;
 }
 
-std::optional<Rational> BasisSweep::count(long& steps, const std::stop_token& stop) {
+std::optional<Rational> FrontierBasisCounter::count(long& steps, const std::stop_token& stop) {
   constexpr long kState = 16;  // what one costs beside its rows
   if (!begin(steps)) return std::nullopt;
   States states;
@@ -100,7 +100,8 @@ std::optional<Rational> BasisSweep::count(long& steps, const std::stop_token& st
   return m_total;
 }
 
-void BasisSweep::decide(const State& state, int element, const Rational& weight, States& next, long& steps) {
+void FrontierBasisCounter::decide(const State& state, int element, const Rational& weight, States& next,
+                                  long& steps) {
   if (rowsOf(state) <= 2) {
     m_total += weight * closedForm(state, element);
     return;
@@ -116,7 +117,7 @@ void BasisSweep::decide(const State& state, int element, const Rational& weight,
   if (auto without = deleted(state, steps)) next[std::move(*without)] += weight;
 }
 
-void BasisSweep::dropFirst(State& state) {
+void FrontierBasisCounter::dropFirst(State& state) {
   if (state.changed.empty()) {
     ++state.next;
   } else {
@@ -124,7 +125,7 @@ void BasisSweep::dropFirst(State& state) {
   }
 }
 
-void BasisSweep::fold(State& state) {
+void FrontierBasisCounter::fold(State& state) {
   while (!state.changed.empty() && state.changed.back() == state.next - 1) {
     state.changed.pop_back();
     --state.next;
@@ -133,7 +134,7 @@ void BasisSweep::fold(State& state) {
 
 /// The state without the first row's first element: that row finds a new place, the others stay reduced
 /// against each other. Nothing where the row has no other element: then that one is in every basis.
-std::optional<BasisSweep::State> BasisSweep::deleted(State state, long& steps) {
+std::optional<FrontierBasisCounter::State> FrontierBasisCounter::deleted(State state, long& steps) {
   const Row& first = row(numberAt(state, 0));
   if (first.size() == 1) return std::nullopt;
   Row left(first.begin() + 1, first.end());
@@ -156,7 +157,7 @@ std::optional<BasisSweep::State> BasisSweep::deleted(State state, long& steps) {
 }
 
 /// Rank 0: 1. Rank 1: the weights of all that are no loops. Rank 2: of all pairs that are not parallel.
-Rational BasisSweep::closedForm(const State& state, int element) const {
+Rational FrontierBasisCounter::closedForm(const State& state, int element) const {
   const int rows = rowsOf(state);
   if (rows == 0) return 1;
   const Row& first = row(numberAt(state, 0));
@@ -178,4 +179,4 @@ Rational BasisSweep::closedForm(const State& state, int element) const {
   return (sum * sum - squares) / Rational(2);
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

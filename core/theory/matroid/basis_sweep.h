@@ -9,7 +9,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// Elements as sparse vectors of length `rank`, in an order in which neighbours are close, each with a
 /// weight.
@@ -25,10 +25,11 @@ struct Representation {
 /// over the undecided elements, kept in reduced echelon form; equal spaces are one state, so a train with
 /// loosely coupled parts has few states at a time. A state stores only the rows that decisions have changed.
 /// Rank 2 has a closed form.
-class BasisSweep {
+class FrontierBasisCounter {
  public:
   /// Both arguments outlive it.
-  BasisSweep(const PrimeField& field, const Representation& elements) : m_field(field), m_given(elements) {}
+  FrontierBasisCounter(const PrimeField& field, const Representation& elements)
+      : m_field(field), m_given(elements) {}
 
   /// Counts `steps` down; std::nullopt once none are left, or if `stop` was requested.
   /// @pre the vectors have rank `rank`
@@ -72,4 +73,4 @@ class BasisSweep {
   Rational m_total;
 };
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/theory/matroid/screw.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 std::vector<CoefficientMatrix::Entry> CoefficientMatrix::row(MeshOrdinal mesh) const {
   std::vector<Entry> entries;
@@ -14,7 +14,7 @@ std::vector<CoefficientMatrix::Entry> CoefficientMatrix::row(MeshOrdinal mesh) c
 
 void CoefficientMatrix::appendRow(MeshOrdinal mesh, std::vector<Entry>& entries) const {
   const MeshGeometry& geometry = *m_placement.meshes[mesh];
-  const AxisClasses& classes = *m_placement.classes;
+  const AxisGroups& classes = *m_placement.classes;
   const SpanningTree& tree = m_model.tree();
   const auto first = static_cast<std::ptrdiff_t>(entries.size());
   const int meeting = tree.commonAncestor(geometry.tail, geometry.head);
@@ -49,4 +49,4 @@ Rational CoefficientMatrix::ratio(MeshOrdinal mesh) const {
   return {m_model.meshRow(mesh).tailTeeth, m_model.meshRow(mesh).headTeeth};
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

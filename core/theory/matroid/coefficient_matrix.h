@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The coefficient matrix P of the moment equations [AU, Eqs. (17)-(20), (24)]: P(c, e) = T(c, e) P_c,e,
 /// where P_c,e is the component along e_c, the normal of the plane of the mesh's two axes, of the moment of
@@ -48,4 +48,4 @@ class CoefficientMatrix {
   const Placement& m_placement;
 };
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

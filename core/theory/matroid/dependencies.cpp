@@ -4,19 +4,19 @@
 
 #include "core/foundations/exact/sparse_expansion.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 /// The equations transposed: a row per phi, an unknown multiplier per equation.
-SparseRows<Fused> multiplierRows(const KinematicModel& model, const FusedField& field) {
-  const SparseRows<Fused> rows = equationRows(model, field, model.equations());
-  std::vector<std::vector<std::pair<int, Fused>>> columns(static_cast<std::size_t>(model.n()));
+SparseRows<ModularDouble> multiplierRows(const KinematicModel& model, const ModularDoubleField& field) {
+  const SparseRows<ModularDouble> rows = equationRows(model, field, model.equations());
+  std::vector<std::vector<std::pair<int, ModularDouble>>> columns(static_cast<std::size_t>(model.n()));
   for (int equation = 0; equation < rows.rows(); ++equation) {
     for (int entry = rows.begin(equation); entry < rows.end(equation); ++entry) {
       columns[rows.column(entry)].emplace_back(equation, rows.value(entry));
     }
   }
-  SparseRows<Fused> transposed;
+  SparseRows<ModularDouble> transposed;
   for (const auto& column : columns) {
     for (const auto& [equation, value] : column) transposed.add(equation, value);
     transposed.endRow();
@@ -25,12 +25,12 @@ SparseRows<Fused> multiplierRows(const KinematicModel& model, const FusedField& 
 }
 
 /// Multipliers that are not 0, by equation.
-using Vector = std::map<int, Fused>;
+using Vector = std::map<int, ModularDouble>;
 
-void subtractMultiple(const FusedField& field, Vector& from, const Vector& what, int pivot) {
-  const Fused factor = field.quotient(from.at(pivot), what.at(pivot));
+void subtractMultiple(const ModularDoubleField& field, Vector& from, const Vector& what, int pivot) {
+  const ModularDouble factor = field.quotient(from.at(pivot), what.at(pivot));
   for (const auto& [equation, value] : what) {
-    Fused& target = from[equation];
+    ModularDouble& target = from[equation];
     field.subtractProduct(target, factor, value);
     if (field.isZero(target)) from.erase(equation);
   }
@@ -39,7 +39,7 @@ void subtractMultiple(const FusedField& field, Vector& from, const Vector& what,
 /// Vectors of multipliers in echelon form, each led by its latest equation and free of the others' leaders.
 class Echelon {
  public:
-  explicit Echelon(const FusedField& field) : m_field(field) {}
+  explicit Echelon(const ModularDoubleField& field) : m_field(field) {}
 
   void add(Vector vector) {
     while (!vector.empty()) {
@@ -68,13 +68,14 @@ class Echelon {
   }
 
  private:
-  const FusedField& m_field;
+  const ModularDoubleField& m_field;
   std::map<int, Vector> m_byLeader;
 };
 
 }  // namespace
 
-std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& model, const FusedField& field,
+std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& model,
+                                                      const ModularDoubleField& field,
                                                       const std::stop_token& stop) {
   const auto system =
       eliminate(field, multiplierRows(model, field), model.equations(), model.equations(), stop);
@@ -99,4 +100,4 @@ std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& mode
   return result;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

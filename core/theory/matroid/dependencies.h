@@ -6,7 +6,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// An equation that follows from others, with those others: together they close a loop that can carry
 /// internal load but adds no constraint. From c() on they are rows of engaged couplings
@@ -20,7 +20,7 @@ struct Redundancy {
 /// named, and a coupling rather than a mesh. Their number is equations() - rank. std::nullopt if `stop` was
 /// requested. Cost: that of an elimination, and of the loops.
 [[nodiscard]] std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& model,
-                                                                    const FusedField& field,
+                                                                    const ModularDoubleField& field,
                                                                     const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

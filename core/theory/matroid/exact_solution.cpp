@@ -1,6 +1,6 @@
 #include "core/theory/matroid/exact_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<const int> inputs,
                                         std::span<const Rational> speeds, const std::stop_token& stop) {
@@ -37,4 +37,4 @@ std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<c
   return solution;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

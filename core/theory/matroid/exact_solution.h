@@ -7,7 +7,7 @@
 
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// A mechanism solved for its inputs in fractions [AU, Eqs. (22), (23)].
 struct ExactSolution {
@@ -28,4 +28,4 @@ struct ExactSolution {
                                                       std::span<const Rational> speeds,
                                                       const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -4,14 +4,14 @@
 
 #include "core/foundations/exact/sparse_expansion.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 /// Rows of K = the rates over the free phi, taken while they are independent.
 class IndependentRates {
  public:
-  IndependentRates(const KinematicModel& model, const FusedField& field, const Structure& structure,
-                   const std::vector<SparseVector<Fused>>& phi)
+  IndependentRates(const KinematicModel& model, const ModularDoubleField& field, const Structure& structure,
+                   const std::vector<SparseVector<ModularDouble>>& phi)
       : m_model(model),
         m_field(field),
         m_structure(structure),
@@ -29,7 +29,7 @@ class IndependentRates {
   }
 
  private:
-  SparseVector<Fused> rate(JointOrdinal joint) {
+  SparseVector<ModularDouble> rate(JointOrdinal joint) {
     const auto& of = m_model.jointRate(joint);
     m_sum.subtract(m_field.fromInteger(-of.sign), m_phi[static_cast<std::size_t>(of.child) - 1]);
     if (of.parent != 0)
@@ -38,14 +38,14 @@ class IndependentRates {
   }
 
   /// Reduces by the rows taken; what is left, if anything, becomes one of them.
-  bool extend(SparseVector<Fused> row) {
+  bool extend(SparseVector<ModularDouble> row) {
     for (std::size_t i = 0; i < row.size();) {
       const int known = m_rowOfPivot[row[i].first];
       if (known < 0) {
         ++i;
         continue;
       }
-      const Fused factor = row[i].second;
+      const ModularDouble factor = row[i].second;
       const int pivot = row[i].first;
       for (const auto& [place, value] : row) m_sum.at(place) = value;
       m_sum.subtract(factor, m_rows[known]);
@@ -54,7 +54,7 @@ class IndependentRates {
       while (i < row.size() && row[i].first < pivot) ++i;
     }
     if (row.empty()) return false;
-    const Fused leading = row.front().second;
+    const ModularDouble leading = row.front().second;
     for (auto& [place, value] : row) value = m_field.quotient(value, leading);
     m_rowOfPivot[row.front().first] = static_cast<int>(m_rows.size());
     m_rows.push_back(std::move(row));
@@ -62,12 +62,12 @@ class IndependentRates {
   }
 
   const KinematicModel& m_model;
-  const FusedField& m_field;
+  const ModularDoubleField& m_field;
   const Structure& m_structure;
-  const std::vector<SparseVector<Fused>>& m_phi;
-  SparseSum<FusedField> m_sum;
+  const std::vector<SparseVector<ModularDouble>>& m_phi;
+  SparseSum<ModularDoubleField> m_sum;
   std::vector<int> m_rowOfPivot;
-  std::vector<SparseVector<Fused>> m_rows;
+  std::vector<SparseVector<ModularDouble>> m_rows;
   std::vector<char> m_taken;
 };
 
@@ -80,7 +80,7 @@ bool isValidAsEngaged(const InputChoice& choice, std::span<const int> wanted) {
   return choice.added.empty() && std::none_of(wanted.begin(), wanted.end(), isTwice);
 }
 
-std::optional<InputChoice> chooseInputs(const KinematicModel& model, const FusedField& field,
+std::optional<InputChoice> chooseInputs(const KinematicModel& model, const ModularDoubleField& field,
                                         const Structure& structure, std::span<const int> wanted,
                                         const std::stop_token& stop) {
   constexpr std::size_t kMaxEntries = 20'000'000;
@@ -100,4 +100,4 @@ std::optional<InputChoice> chooseInputs(const KinematicModel& model, const Fused
   return choice;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// A valid set of inputs close to the wanted one: E joints whose rates determine all others, a basis of the
 /// dual matroid of P.
@@ -25,8 +25,9 @@ struct InputChoice {
 /// Takes each wanted joint that is independent of those before it, then completes the set in the order of
 /// labels. std::nullopt if `stop` was requested. Cost: O(t E) sparse steps; joints that no mesh constrains
 /// cost nothing.
-[[nodiscard]] std::optional<InputChoice> chooseInputs(const KinematicModel& model, const FusedField& field,
+[[nodiscard]] std::optional<InputChoice> chooseInputs(const KinematicModel& model,
+                                                      const ModularDoubleField& field,
                                                       const Structure& structure, std::span<const int> wanted,
                                                       const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

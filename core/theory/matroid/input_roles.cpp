@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 std::size_t placeOf(const std::vector<int>& joints, JointOrdinal joint) {
@@ -91,4 +91,4 @@ std::vector<int> chainTo(const SpanningTree& tree, LinkOrdinal link) {
   return chain;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/theory/matroid/input_choice.h"
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The outputs whose rates depend on the input, by label: K(y, x) is not 0. Each of them may also be driven
 /// in its place while the other inputs stay. Zeros of the live solution are exact.
@@ -38,11 +38,11 @@ class InputCompletion {
 
  private:
   const KinematicModel& m_model;
-  FusedField m_field;
+  ModularDoubleField m_field;
   Structure m_structure;
 };
 
 /// The joints from the ground to a link, the first at the ground.
 [[nodiscard]] std::vector<int> chainTo(const SpanningTree& tree, LinkOrdinal link);
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

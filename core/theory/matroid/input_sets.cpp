@@ -7,27 +7,27 @@
 #include "core/theory/matroid/basis_enumeration.h"
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMaxEntries = 20'000'000;
-constexpr std::size_t kMaxListed = 2'000'000;
+constexpr std::size_t kMaxInputSetEntries = 20'000'000;
+constexpr std::size_t kMaxListedSets = 2'000'000;
 
 }  // namespace
 
-std::optional<InputSets> InputSets::of(const KinematicModel& model, const FusedField& field,
+std::optional<InputSets> InputSets::of(const KinematicModel& model, const ModularDoubleField& field,
                                        std::span<const int> inputs, const std::stop_token& stop) {
   const int columns = model.n() + static_cast<int>(inputs.size());
   const auto system =
       eliminate(field, inputRows(model, field, allEquations(model), inputs), model.n(), columns, stop);
   if (!system) return std::nullopt;
   GEARGRAPH_REQUIRE(system->freeColumns.empty());
-  const auto phi = expandSparse(field, *system, kMaxEntries, stop);
+  const auto phi = expandSparse(field, *system, kMaxInputSetEntries, stop);
   if (!phi) return std::nullopt;
 
   InputSets sets(field.prime());
   sets.m_inputs.assign(inputs.begin(), inputs.end());
-  SparseSum<FusedField> sum(field, columns);
+  SparseSum<ModularDoubleField> sum(field, columns);
   for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
     const auto& rate = model.jointRate(joint);
     sum.subtract(field.fromInteger(-rate.sign), (*phi)[static_cast<std::size_t>(rate.child) - 1]);
@@ -70,7 +70,7 @@ std::optional<Rational> InputSets::count(const std::stop_token& stop) const {
 
 std::vector<std::vector<int>> InputSets::list(std::size_t limit, const std::stop_token& stop) const {
   if (limit == 0) return {};
-  if (m_rates.size() * m_inputs.size() > kMaxListed) return neighbours(limit);
+  if (m_rates.size() * m_inputs.size() > kMaxListedSets) return neighbours(limit);
   auto sets = enumerateBases(m_field, static_cast<int>(m_inputs.size()), m_rates, limit, stop);
   return sets ? std::move(*sets) : neighbours(limit);
 }
@@ -96,4 +96,4 @@ std::vector<std::vector<int>> InputSets::neighbours(std::size_t limit) const {
   return sets;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

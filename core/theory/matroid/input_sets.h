@@ -9,7 +9,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// All valid sets of inputs: the bases of the dual matroid of P, found from K, the rates of all joints in
 /// terms of those of one valid set. K is stored modulo a 61-bit prime.
@@ -17,7 +17,8 @@ class InputSets {
  public:
   /// std::nullopt if `stop` was requested or K has more than 20 million entries.
   /// @pre `inputs` is a valid set (chooseInputs())
-  [[nodiscard]] static std::optional<InputSets> of(const KinematicModel& model, const FusedField& field,
+  [[nodiscard]] static std::optional<InputSets> of(const KinematicModel& model,
+                                                   const ModularDoubleField& field,
                                                    std::span<const int> inputs,
                                                    const std::stop_token& stop = {});
 
@@ -47,4 +48,4 @@ class InputSets {
   std::vector<std::vector<std::pair<int, PrimeField::Residue>>> m_rates;
 };
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/foundations/exact/fields.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 using GainRow = std::vector<Rational>;
@@ -146,4 +146,4 @@ std::optional<std::vector<JointOrdinal>> usualJoints(const ExactSolution& soluti
   return joints;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/matroid/exact_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// How the motors of a train and as many of its joints are coupled, exactly. From [AU, Eq. (23)]: rows of the
 /// solution, as a square matrix A, and its inverse.
@@ -41,4 +41,4 @@ struct JointCoupling {
                                                                    const SpanningTree& tree,
                                                                    const Mechanism& mechanism);
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

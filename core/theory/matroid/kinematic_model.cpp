@@ -1,12 +1,12 @@
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreePtr tree,
                                                  const Placement& placement) {
   if (!graph || !tree || !placement.tree) return std::nullopt;
   KinematicModel model;
-  const AxisClasses& classes = *placement.classes;
+  const AxisGroups& classes = *placement.classes;
   const JointTree& joints = *placement.tree;
 
   model.m_rates.reserve(joints.joints.size());
@@ -39,4 +39,4 @@ std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreeP
   return model;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/mechanism/graph/matrices.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The kinematics with integer coefficients, in axis-group coordinates: phi_v is the speed of link v about
 /// the line of its axis class, relative to the root link of the class. Every mesh is then a row over at most
@@ -43,12 +43,12 @@ class KinematicModel {
       int of = 0;      ///< a link, or a joint
       int factor = 1;  ///< +1 or -1
     };
-    CouplingOrdinal coupling = 0;  ///< position in the document
-    int from = 0;                  ///< the links that it holds together; for a brake the ground
+    ShiftElementOrdinal coupling = 0;  ///< position in the document
+    int from = 0;                      ///< the links that it holds together; for a brake the ground
     int to = 0;
-    ClassOrdinal axisClass = 0;  ///< about the direction of its line
-    std::vector<Term> links;     ///< over the phi
-    std::vector<Term> joints;    ///< the same over the rates of the joints on the way
+    AxisGroupOrdinal axisGroup = 0;  ///< about the direction of its line
+    std::vector<Term> links;         ///< over the phi
+    std::vector<Term> joints;        ///< the same over the rates of the joints on the way
   };
 
   /// std::nullopt if the joints are no spanning tree or a mesh has no geometry.
@@ -133,4 +133,4 @@ class KinematicModel {
   ByJoint<JointRate> m_rates;
 };
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

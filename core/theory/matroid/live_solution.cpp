@@ -6,12 +6,12 @@
 
 #include "core/foundations/base/scratch.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
-using System = Elimination<Fused>;
+using System = Elimination<ModularDouble>;
 
-std::optional<System> eliminated(const KinematicModel& model, const FusedField& field,
+std::optional<System> eliminated(const KinematicModel& model, const ModularDoubleField& field,
                                  std::span<const int> inputs, const std::stop_token& stop,
                                  std::pmr::memory_resource& memory) {
   std::pmr::vector<int> equations(static_cast<std::size_t>(model.equations()), &memory);
@@ -20,7 +20,8 @@ std::optional<System> eliminated(const KinematicModel& model, const FusedField& 
                    model.n() + static_cast<int>(inputs.size()), stop);
 }
 
-bool checksHold(const FusedField& field, const System& system, std::span<const Fused> x, std::size_t width) {
+bool checksHold(const ModularDoubleField& field, const System& system, std::span<const ModularDouble> x,
+                std::size_t width) {
   for (const auto& check : system.checks) {
     for (std::size_t k = 0; k < width; ++k) {
       if (!field.isZero(checkValue(field, system, check, x, width, k))) return false;
@@ -30,7 +31,7 @@ bool checksHold(const FusedField& field, const System& system, std::span<const F
 }
 
 /// Do the inputs determine every link, and is no relation forced among them? `x` becomes a motion at random.
-bool isDetermined(const FusedField& field, const System& system, std::span<Fused> x) {
+bool isDetermined(const ModularDoubleField& field, const System& system, std::span<ModularDouble> x) {
   if (!system.freeColumns.empty()) return false;
   ResidueStream random(field.prime(), 0x696e70757473U);
   for (int column = system.unknowns; column < system.columns; ++column) x[column] = {0, random.next()};
@@ -41,7 +42,7 @@ bool isDetermined(const FusedField& field, const System& system, std::span<Fused
 /// Fills in a solution from an eliminated system.
 class Solver {
  public:
-  Solver(const KinematicModel& model, const FusedField& field, const System& system,
+  Solver(const KinematicModel& model, const ModularDoubleField& field, const System& system,
          std::span<const Rational> speeds, LiveSolution& solution)
       : m_model(model),
         m_field(field),
@@ -66,7 +67,7 @@ class Solver {
   bool byColumns(const std::stop_token& stop) {
     const std::size_t inputs = m_solution.inputs.size();
     m_solution.matrix.resize(m_solution.outputs.size() * inputs);
-    m_rates.assign(static_cast<std::size_t>(m_model.t()), Fused());
+    m_rates.assign(static_cast<std::size_t>(m_model.t()), ModularDouble());
     for (std::size_t first = 0; first < inputs; first += kMaxSideBySide) {
       if (stop.stop_requested()) return false;
       if (!takeColumns(first, std::min(kMaxSideBySide, inputs - first))) return false;
@@ -97,7 +98,7 @@ class Solver {
 
  private:
   bool takeColumns(std::size_t first, std::size_t width) {
-    m_x.assign(static_cast<std::size_t>(m_system.columns) * width, Fused());
+    m_x.assign(static_cast<std::size_t>(m_system.columns) * width, ModularDouble());
     for (std::size_t k = 0; k < width; ++k) {
       m_x[(static_cast<std::size_t>(m_system.unknowns) + first + k) * width + k] = m_field.one();
     }
@@ -107,7 +108,7 @@ class Solver {
     for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
       const bool isOutput = row < m_solution.outputs.size() && m_solution.outputs[row] == joint;
       for (std::size_t k = 0; k < width; ++k) {
-        const Fused rate = m_model.rateOf(m_field, joint, m_x, width, k);
+        const ModularDouble rate = m_model.rateOf(m_field, joint, m_x, width, k);
         if (rate.residue != 0) {
           m_solution.dead[joint] = 0;
           m_field.subtractProduct(m_rates[static_cast<std::size_t>(joint)], m_minusSpeeds[first + k], rate);
@@ -120,17 +121,17 @@ class Solver {
   }
 
   const KinematicModel& m_model;
-  const FusedField& m_field;
+  const ModularDoubleField& m_field;
   const System& m_system;
-  std::pmr::vector<Fused> m_minusSpeeds;
+  std::pmr::vector<ModularDouble> m_minusSpeeds;
   LiveSolution& m_solution;
-  std::pmr::vector<Fused> m_x;
-  std::pmr::vector<Fused> m_rates;  ///< by joint: the sum so far
+  std::pmr::vector<ModularDouble> m_x;
+  std::pmr::vector<ModularDouble> m_rates;  ///< by joint: the sum so far
 };
 
 }  // namespace
 
-std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedField& field,
+std::optional<LiveSolution> solveLive(const KinematicModel& model, const ModularDoubleField& field,
                                       std::span<const int> inputs, std::span<const Rational> speeds,
                                       const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(inputs.size() == speeds.size());
@@ -146,9 +147,9 @@ std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedFi
   const bool small = solution.outputs.size() * inputs.size() <= LiveSolution::kMaxLiveEntries;
   if (!(small ? solver.byColumns(stop) : solver.byMotions())) return std::nullopt;
   if (!system->checks.empty()) {
-    const FusedField second(PrimeField::kSecondSeed);
+    const ModularDoubleField second(PrimeField::kSecondSeed);
     const std::optional<System> confirming = eliminated(model, second, inputs, stop, scratch);
-    std::vector<Fused> x(static_cast<std::size_t>(model.n()) + inputs.size());
+    std::vector<ModularDouble> x(static_cast<std::size_t>(model.n()) + inputs.size());
     if (!confirming || !isDetermined(second, *confirming, x)) return std::nullopt;
   }
   if (stop.stop_requested()) return std::nullopt;
@@ -194,4 +195,4 @@ std::vector<Vector3> meshVelocities(const KinematicModel& model, const std::vect
   return velocities;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The rows of these equations, then one row per input, theta_input - u = 0, with the inputs' rates u as
 /// given columns n, n+1, ... One elimination of them solves the mechanism and decides whether the inputs are
@@ -55,7 +55,8 @@ struct LiveSolution {
 /// std::nullopt if the inputs are not valid, or `stop` was requested.
 /// Cost: near linear in n + c, times E for the matrix.
 /// @pre a speed for each input
-[[nodiscard]] std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedField& field,
+[[nodiscard]] std::optional<LiveSolution> solveLive(const KinematicModel& model,
+                                                    const ModularDoubleField& field,
                                                     std::span<const int> inputs,
                                                     std::span<const Rational> speeds,
                                                     const std::stop_token& stop = {});
@@ -75,4 +76,4 @@ struct LiveSolution {
 [[nodiscard]] std::vector<Vector3> meshVelocities(const KinematicModel& model,
                                                   const std::vector<Vector3>& links);
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 /// The equations transposed, an unknown multiplier each, and a given column per dead joint: multipliers y
 /// with y P = the unit row of that joint prove that it stands still.
-SparseRows<Fused> certificateRows(const KinematicModel& model, const FusedField& field,
-                                  const std::vector<int>& joints) {
-  const SparseRows<Fused> rows = equationRows(model, field, model.equations());
-  std::vector<std::vector<std::pair<int, Fused>>> byLink(static_cast<std::size_t>(model.n()));
+SparseRows<ModularDouble> certificateRows(const KinematicModel& model, const ModularDoubleField& field,
+                                          const std::vector<int>& joints) {
+  const SparseRows<ModularDouble> rows = equationRows(model, field, model.equations());
+  std::vector<std::vector<std::pair<int, ModularDouble>>> byLink(static_cast<std::size_t>(model.n()));
   for (int equation = 0; equation < rows.rows(); ++equation) {
     for (int entry = rows.begin(equation); entry < rows.end(equation); ++entry) {
       byLink[rows.column(entry)].emplace_back(equation, rows.value(entry));
@@ -24,7 +24,7 @@ SparseRows<Fused> certificateRows(const KinematicModel& model, const FusedField&
       byLink[static_cast<std::size_t>(rate.parent) - 1].emplace_back(column, field.fromInteger(rate.sign));
     }
   }
-  SparseRows<Fused> result;
+  SparseRows<ModularDouble> result;
   for (const auto& row : byLink) {
     for (const auto& [column, value] : row) result.add(column, value);
     result.endRow();
@@ -34,7 +34,8 @@ SparseRows<Fused> certificateRows(const KinematicModel& model, const FusedField&
 
 }  // namespace
 
-std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model, const FusedField& field,
+std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model,
+                                                   const ModularDoubleField& field,
                                                    const std::vector<char>& dead,
                                                    const std::stop_token& stop) {
   constexpr std::size_t kMaxJoints = 200;
@@ -49,10 +50,10 @@ std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model, 
   if (!system) return std::nullopt;
 
   std::vector<LockedLoop> certificates;
-  std::vector<Fused> y(static_cast<std::size_t>(columns));
+  std::vector<ModularDouble> y(static_cast<std::size_t>(columns));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (stop.stop_requested()) return std::nullopt;
-    Fused& given = y[static_cast<std::size_t>(unknowns) + i];
+    ModularDouble& given = y[static_cast<std::size_t>(unknowns) + i];
     given = field.one();
     substitute(field, *system, y);
     given = {};
@@ -83,4 +84,4 @@ std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model, 
   return loops;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// Equations that together hold a joint still: the loop of meshes, and of engaged couplings, that locks it.
 struct LockedLoop {
@@ -17,8 +17,8 @@ struct LockedLoop {
 /// The loops that lock the dead joints; none is part of another. Looks at the first 200 dead joints at most.
 /// std::nullopt if `stop` was requested. Cost: an elimination, and O(n + c) for each dead joint.
 [[nodiscard]] std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model,
-                                                                 const FusedField& field,
+                                                                 const ModularDoubleField& field,
                                                                  const std::vector<char>& dead,
                                                                  const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -6,10 +6,10 @@
 
 #include "core/foundations/base/position_index.h"
 #include "core/foundations/base/scratch.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/matroid/matroid_diagnostics.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 /// The diagnostic where speeds or ratios are beyond what a double can hold: the numbers would be infinite.
@@ -174,7 +174,7 @@ class Analyzer {
   const KinematicModel& m_model;
   const Placement& m_placement;
   std::stop_token m_stop;
-  FusedField m_field;
+  ModularDoubleField m_field;
   std::vector<int> m_wanted;
   std::vector<Rational> m_speeds;
   MatroidAnalysis m_result;
@@ -193,4 +193,4 @@ std::optional<MatroidAnalysis> analyzeMatroid(const Mechanism& mechanism, const 
   return Analyzer(mechanism, model, placement, stop).run();
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

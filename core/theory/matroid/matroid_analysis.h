@@ -9,7 +9,7 @@
 #include "core/theory/matroid/live_solution.h"
 #include "core/theory/matroid/locked_loops.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The result of the matroid method after each edit: everything but the exact and symbolic solutions
 /// (exact_solution.h, symbolic_solution.h) and the list of input sets (input_sets.h).
@@ -50,4 +50,4 @@ struct MatroidAnalysis {
                                                             const Placement& placement,
                                                             const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -5,16 +5,16 @@
 #include <map>
 #include <optional>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/placement/planet_groups.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/symbolic_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxMatroidNames = 12;
 
 std::string countedMeshes(std::size_t count, const std::string& names) {
   return count == 1 ? translated("mesh %1", {names}) : translated("meshes %1", {names});
@@ -50,7 +50,7 @@ class Speaker {
     for (const int equation : positions) {
       if (equation < model.c()) {
         ofMeshes.push_back(equation);
-      } else if (const CouplingOrdinal coupling = model.heldRow(equation).coupling;
+      } else if (const ShiftElementOrdinal coupling = model.heldRow(equation).coupling;
                  std::find(ofCouplings.begin(), ofCouplings.end(), coupling) == ofCouplings.end()) {
         ofCouplings.push_back(coupling);
       }
@@ -63,11 +63,11 @@ class Speaker {
   std::string couplings(std::span<const int> positions) {
     std::vector<std::string> texts;
     for (const int position : positions) {
-      const Coupling& coupling = m_mechanism.couplings[position];
+      const ShiftElement& coupling = m_mechanism.couplings[position];
       m_diagnostic.elements.emplace_back(coupling.id);
       texts.push_back(couplingName(coupling.kind, coupling.id.text()));
     }
-    return texts.empty() ? std::string() : listed(texts, kMaxNames);
+    return texts.empty() ? std::string() : listed(texts, kMaxMatroidNames);
   }
   Diagnostic say(std::string message) {
     m_diagnostic.message = std::move(message);
@@ -82,7 +82,7 @@ class Speaker {
       collect(position);
       texts.push_back(std::to_string(label(position)));
     }
-    return listed(texts, kMaxNames);
+    return listed(texts, kMaxMatroidNames);
   }
 
   const Mechanism& m_mechanism;
@@ -165,7 +165,7 @@ class SharedLoads {
     for (const PlanetGroup& group : groups) {
       for (const LinkOrdinal link : group.links) names.push_back(std::to_string(m_mechanism.linkLabel(link)));
     }
-    return listed(names, kMaxNames);
+    return listed(names, kMaxMatroidNames);
   }
 
   const Mechanism& m_mechanism;
@@ -178,16 +178,16 @@ class SharedLoads {
 /// The engaged couplings that add nothing, and from which equations they follow. A coupling over axes of
 /// several directions has several rows, of which one that counts is enough.
 struct IdleCoupling {
-  CouplingOrdinal coupling = 0;
+  ShiftElementOrdinal coupling = 0;
   std::vector<int> dependsOn;
 };
 
 std::vector<IdleCoupling> idleCouplings(const Mechanism& mechanism, const KinematicModel& model,
                                         const MatroidAnalysis& analysis) {
   std::vector<IdleCoupling> idle;
-  for (const CouplingId id : mechanism.engaged) {
+  for (const ShiftElementId id : mechanism.engaged) {
     const auto found = std::find_if(mechanism.couplings.begin(), mechanism.couplings.end(),
-                                    [&](const Coupling& each) { return each.id == id; });
+                                    [&](const ShiftElement& each) { return each.id == id; });
     IdleCoupling entry{static_cast<int>(found - mechanism.couplings.begin()), {}};
     const auto isItsRow = [&](int equation) { return model.heldRow(equation).coupling == entry.coupling; };
     if (std::any_of(analysis.independentHeld.begin(), analysis.independentHeld.end(), isItsRow)) continue;
@@ -206,10 +206,10 @@ Diagnostic redundantCoupling(const Mechanism& mechanism, const KinematicModel& m
                              const IdleCoupling& idle) {
   Speaker speaker(mechanism, Code::redundantCoupling);
   speaker.couplings(std::vector<int>{idle.coupling});
-  const Coupling& coupling = mechanism.couplings[idle.coupling];
+  const ShiftElement& coupling = mechanism.couplings[idle.coupling];
   const std::string& name = coupling.id.text();
   const std::string others = speaker.equations(model, idle.dependsOn);
-  if (coupling.kind == CouplingKind::brake) {
+  if (coupling.kind == ShiftElementKind::brake) {
     return speaker.say(
         others.empty()
             ? translated("Brake %1 is engaged and holds nothing that could move.", {name})
@@ -423,4 +423,4 @@ Diagnostics matroidDiagnostics(const Mechanism& mechanism, const KinematicModel&
   return diagnostics;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/matroid_analysis.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// The diagnostics of the kinematics: redundant-mesh, redundant-coupling, locked, dead-joint, idle-joint,
 /// no-meshes and invalid-inputs. Redundancy that follows from equal planets is one note per set of planets,
@@ -20,4 +20,4 @@ namespace geargraph::inline matroid {
                                          const Placement& placement, const MatroidAnalysis& analysis,
                                          JointOrdinal joint, const std::stop_token& stop);
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/scratch.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 /// A hash of an equation that sums of others do not reach by chance.
@@ -17,9 +17,9 @@ std::uint64_t keyOf(std::uint64_t equation) {
 }
 
 /// Rates of one motion drawn at random: what stands still here stands still always.
-std::vector<char> deadIn(const KinematicModel& model, const FusedField& field,
-                         const Elimination<Fused>& system) {
-  std::vector<Fused> phi(static_cast<std::size_t>(system.columns));
+std::vector<char> deadIn(const KinematicModel& model, const ModularDoubleField& field,
+                         const Elimination<ModularDouble>& system) {
+  std::vector<ModularDouble> phi(static_cast<std::size_t>(system.columns));
   ResidueStream random(field.prime(), 0x64656164U);
   for (const int column : system.freeColumns) phi[column].residue = random.next();
   substitute(field, system, phi);
@@ -31,12 +31,12 @@ std::vector<char> deadIn(const KinematicModel& model, const FusedField& field,
 
 }  // namespace
 
-std::optional<Structure> structureOf(const KinematicModel& model, const FusedField& field,
+std::optional<Structure> structureOf(const KinematicModel& model, const ModularDoubleField& field,
                                      const std::stop_token& stop) {
   auto system = eliminate(field, equationRows(model, field, model.equations()), model.n(), model.n(), stop);
   if (!system) return std::nullopt;
   if (system->rank() < std::min(model.equations(), model.n())) {
-    const FusedField second(PrimeField::kSecondSeed);
+    const ModularDoubleField second(PrimeField::kSecondSeed);
     auto confirmed =
         eliminate(second, equationRows(model, second, model.equations()), model.n(), model.n(), stop);
     if (!confirmed) return std::nullopt;
@@ -97,4 +97,4 @@ std::vector<std::vector<int>> rigidBlocks(const KinematicModel& model, const std
   return blocks;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

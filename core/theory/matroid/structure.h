@@ -8,7 +8,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// What follows from the coefficient matrix P, with the rows of engaged couplings below it, before any choice
 /// of inputs [AU, Eq. (21)].
@@ -22,12 +22,13 @@ struct Structure {
   ByJoint<char> idle;   ///< no mesh's or coupling's cycle contains it, so it has to be an input
 
   /// The elimination that it was found with, modulo the first prime: free unknowns are free phi.
-  Elimination<Fused> system;
+  Elimination<ModularDouble> system;
 };
 
 /// Rank, freedom, dead and idle joints, modulo a 61-bit prime and confirmed with a second one where rank
 /// falls short of the number of meshes. std::nullopt if `stop` was requested. Cost: near linear in n + c.
-[[nodiscard]] std::optional<Structure> structureOf(const KinematicModel& model, const FusedField& field,
+[[nodiscard]] std::optional<Structure> structureOf(const KinematicModel& model,
+                                                   const ModularDoubleField& field,
                                                    const std::stop_token& stop = {});
 
 /// By joint: 1 if it is on no cycle of a mesh or an engaged coupling. Cost: O(n + c).
@@ -57,4 +58,4 @@ template <class Field>
   return rows;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/foundations/base/scratch.h"
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kScratch = 32 * 1024;
@@ -44,14 +44,15 @@ class RatioSystem {
   [[nodiscard]] int equation(int row) const { return m_equations[static_cast<std::size_t>(row)]; }
 
   /// Its rows at some ratios, by mesh; of a coupling there is none in it.
-  [[nodiscard]] SparseRows<Fused> rows(const FusedField& field, std::span<const Fused> drawn,
-                                       std::pmr::memory_resource& memory) const {
-    SparseRows<Fused> result(&memory);
+  [[nodiscard]] SparseRows<ModularDouble> rows(const ModularDoubleField& field,
+                                               std::span<const ModularDouble> drawn,
+                                               std::pmr::memory_resource& memory) const {
+    SparseRows<ModularDouble> result(&memory);
     result.reserve(m_equations.size(), m_entries.size());
     for (std::size_t row = 0; row < m_equations.size(); ++row) {
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
         const CoefficientMatrix::Entry& entry = m_entries[i];
-        const Fused value = entry.tail ? drawn[m_equations[row]] : field.one();
+        const ModularDouble value = entry.tail ? drawn[m_equations[row]] : field.one();
         result.add(m_columnOf[entry.joint], entry.sign > 0 ? value : field.negated(value));
       }
       result.endRow();
@@ -61,7 +62,8 @@ class RatioSystem {
 
   /// The same over the ratios, without the columns in `left`. Rows that peeling gives a pivot are divided by
   /// it, which is a ratio or 1: their other entries are the coefficients of the solution's lines, negated.
-  [[nodiscard]] SparseRows<RationalFunction> rows(const std::vector<char>& left, const Peeling& peeling,
+  [[nodiscard]] SparseRows<RationalFunction> rows(const std::vector<char>& left,
+                                                  const SingletonElimination& peeling,
                                                   const RatioRingPtr& ring,
                                                   std::pmr::memory_resource& memory) const {
     std::pmr::vector<int> pivots(m_equations.size(), -1, &memory);
@@ -124,10 +126,10 @@ struct Zeros {
 
 std::optional<Zeros> zerosOf(const RatioSystem& ratios, const KinematicModel& model,
                              const std::stop_token& stop) {
-  const FusedField field;
+  const ModularDoubleField field;
   ResidueStream random(field.prime(), 0x726174696f73U);
   Scratch<kScratch> scratch;
-  std::pmr::vector<Fused> drawn(&scratch);
+  std::pmr::vector<ModularDouble> drawn(&scratch);
   drawn.reserve(static_cast<std::size_t>(model.c()));
   for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) drawn.push_back({1, random.next()});
   const auto columns = static_cast<std::size_t>(ratios.columns());
@@ -138,11 +140,11 @@ std::optional<Zeros> zerosOf(const RatioSystem& ratios, const KinematicModel& mo
   Zeros zeros;
   zeros.all.assign(columns, 1);
   constexpr std::size_t kAtOnce = 4;
-  std::pmr::vector<Fused> x(&scratch);
+  std::pmr::vector<ModularDouble> x(&scratch);
   for (std::size_t first = static_cast<std::size_t>(ratios.unknowns()); first < columns; first += kAtOnce) {
     if (stop.stop_requested()) return std::nullopt;
     const std::size_t width = std::min(kAtOnce, columns - first);
-    x.assign(columns * width, Fused());
+    x.assign(columns * width, ModularDouble());
     for (std::size_t k = 0; k < width; ++k) x[(first + k) * width + k] = field.one();
     substitute(field, *system, x, width);
     for (std::size_t k = 0; k < width; ++k) {
@@ -212,7 +214,7 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   std::vector<char> left = zeros->all;
   std::fill(left.begin() + ratios.unknowns(), left.end(), 0);
   Scratch<kScratch> scratch;
-  Peeling peeling(ratios.pattern(left, scratch), ratios.unknowns());
+  SingletonElimination peeling(ratios.pattern(left, scratch), ratios.unknowns());
   auto rows = ratios.rows(left, peeling, solution.ring, scratch);
   const auto system = eliminate(bounded, std::move(rows), std::move(peeling), ratios.unknowns(),
                                 ratios.columns(), enough.get_token());
@@ -243,4 +245,4 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   return solution;
 }
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/exact/expansion.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph::inline matroid {
+namespace geargraph {
 
 /// One line of the substitution: theta_joint = sum of coefficient * theta over joints that are known by then
 /// (inputs, and joints of earlier lines).
@@ -49,4 +49,4 @@ struct SymbolicSolution {
     std::span<const int> equations, std::span<const int> inputs, const std::stop_token& stop = {},
     ExpansionBudget budget = {});
 
-}  // namespace geargraph::inline matroid
+}  // namespace geargraph

@@ -4,15 +4,15 @@
 
 #include <numbers>
 
-namespace geargraph::inline pose {
+namespace geargraph {
 namespace {
 
-class Whole {
+class BigInteger {
  public:
-  Whole() { fmpz_init(m_value); }
-  Whole(const Whole&) = delete;
-  Whole& operator=(const Whole&) = delete;
-  ~Whole() { fmpz_clear(m_value); }
+  BigInteger() { fmpz_init(m_value); }
+  BigInteger(const BigInteger&) = delete;
+  BigInteger& operator=(const BigInteger&) = delete;
+  ~BigInteger() { fmpz_clear(m_value); }
   [[nodiscard]] fmpz* get() { return m_value; }
 
  private:
@@ -29,8 +29,8 @@ Rational nearestWhole(const Rational& value) {
 
 /// 2^bits * weight * arctan(1 / inverse), by its series.
 void addArctangent(fmpz* sum, long weight, ulong inverse, ulong bits) {
-  Whole power;
-  Whole term;
+  BigInteger power;
+  BigInteger term;
   fmpz_set_si(power.get(), weight);
   fmpz_mul_2exp(power.get(), power.get(), bits);
   fmpz_tdiv_q_ui(power.get(), power.get(), inverse);
@@ -67,4 +67,4 @@ double reducedAngle(const Rational& turns, const Rational& radians) {
   return (angle - nearestWhole(angle / turn) * turn).toDouble();
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

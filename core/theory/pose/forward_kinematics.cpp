@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 namespace {
 
 /// Exp(u, p, theta): x -> p + Rot(u, theta) (x - p).
@@ -45,4 +45,4 @@ ByLink<Eigen::Isometry3d> ForwardKinematics::poses(std::span<const double> joint
   return result;
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 /// The line that a turning joint turns about, in the reference pose, base frame. `direction` has length 1.
 struct TurningLine {
@@ -47,4 +47,4 @@ class ForwardKinematics {
   std::vector<Step> m_steps;  ///< every node after its parent
 };
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

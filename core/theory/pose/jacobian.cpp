@@ -2,7 +2,7 @@
 
 #include "core/theory/pose/modular_pose.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 namespace {
 
 /// The joints between the ground and a link, from the ground on, with +1 where the link's side is the head.
@@ -49,4 +49,4 @@ std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, LinkO
   return rankIn(motion, link, point, false);
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/mechanism/placement/axis_line.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 /// How a point of a link moves with the inputs: twist = J * input rates.
 ///
@@ -56,4 +56,4 @@ struct ExactMotion {
 [[nodiscard]] std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, LinkOrdinal link,
                                                               const ExactVector3& point);
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 std::vector<AngleLimits> angleLimits(const Mechanism& mechanism) {
   constexpr double kDegree = std::numbers::pi / 180;
@@ -51,4 +51,4 @@ std::vector<int> jointsBeyondLimits(std::span<const AngleLimits> limits, std::sp
   return beyond;
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 /// How far a joint may turn from the reference pose, rad; infinite where an end is open.
 struct AngleLimits {
@@ -39,4 +39,4 @@ struct MotionRange {
 [[nodiscard]] std::vector<int> jointsBeyondLimits(std::span<const AngleLimits> limits,
                                                   std::span<const double> angles);
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 std::vector<LinkTwist> linkTwists(const SpanningTree& tree, const ForwardKinematics& kinematics,
                                   std::span<const Eigen::Isometry3d> poses,
@@ -24,4 +24,4 @@ std::vector<LinkTwist> linkTwists(const SpanningTree& tree, const ForwardKinemat
   return twists;
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 /// The instantaneous motion of a link, base frame: its angular velocity (rad/s), and the velocity of its
 /// point at the origin (the document's length unit per second).
@@ -26,4 +26,4 @@ struct LinkTwist {
                                                 std::span<const Eigen::Isometry3d> poses,
                                                 std::span<const double> jointRates);
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

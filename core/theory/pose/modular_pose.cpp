@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 namespace {
 
 constexpr std::uint64_t kAngleSeed = 0x616e676c6573U;
@@ -232,4 +232,4 @@ int ModularJacobian::rank(int rows) const {
   return rank;
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

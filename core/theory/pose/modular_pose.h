@@ -8,7 +8,7 @@
 #include "core/foundations/exact/prime_field.h"
 #include "core/theory/pose/jacobian.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 /// Lines, rotations and displacements modulo a prime p with p = 3 (mod 4), in which the directions have
 /// length 1. A rank over these residues is the rank over the algebraic numbers that they represent, except
@@ -92,4 +92,4 @@ class ModularJacobian {
   std::vector<std::array<PrimeField::Residue, 6>> m_columns;  ///< by input
 };
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

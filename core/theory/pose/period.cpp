@@ -1,6 +1,6 @@
 #include "core/theory/pose/period.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 std::optional<Rational> commonPeriod(std::span<const Rational> rates) {
   Rational divisor;  // FLINT's gcd of fractions is the largest one that all of them are whole multiples of
@@ -9,4 +9,4 @@ std::optional<Rational> commonPeriod(std::span<const Rational> rates) {
   return divisor.inverse();
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

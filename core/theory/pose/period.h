@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 /// The number of turns after which everything that turns at these rates is back where it was for the first
 /// time: the smallest T > 0 that makes every rate times T a whole number. With rates in rad/s the period is 2
@@ -15,4 +15,4 @@ namespace geargraph::inline pose {
 /// Cost: one gcd per rate.
 [[nodiscard]] std::optional<Rational> commonPeriod(std::span<const Rational> rates);
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline pose {
+namespace geargraph {
 
 std::vector<TurningLine> turningLines(const Placement& placement) {
   GEARGRAPH_REQUIRE(placement.tree.has_value());
@@ -15,4 +15,4 @@ std::vector<TurningLine> turningLines(const Placement& placement) {
   return lines;
 }
 
-}  // namespace geargraph::inline pose
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 
 /// The couplings that the document engages, by position, ascending.
 [[nodiscard]] std::vector<int> engagedCouplings(const Mechanism& mechanism);
@@ -20,13 +20,13 @@ namespace geargraph::inline states {
 /// Cost      O(joints between the links). @pre the placement has a tree
 [[nodiscard]] std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism,
                                                             const Placement& placement,
-                                                            CouplingOrdinal coupling);
+                                                            ShiftElementOrdinal coupling);
 
 /// +1 or -1, with which the equation of heldRows() is how much faster the first link of a freewheel turns
 /// than the second, in +direction of the axis of the first one's own joint (of the second one's, if the first
 /// is the ground): more than 0 is the sense in which it locks. 0 where they do not turn about one direction.
 [[nodiscard]] int freewheelSense(const Mechanism& mechanism, const Placement& placement,
-                                 CouplingOrdinal freewheel);
+                                 ShiftElementOrdinal freewheel);
 
 /// freewheel-direction for each freewheel that is not engaged and that these rates of the joints would turn
 /// in the sense in which it locks. @pre as heldRows()
@@ -39,7 +39,7 @@ namespace geargraph::inline states {
 
 /// Do constant coefficients describe the coupling? False where it closes a linkage (relative_speed.h).
 [[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement,
-                                        CouplingOrdinal coupling);
+                                        ShiftElementOrdinal coupling);
 
 /// The equations of these couplings together, or why there are none.
 struct Engagement {
@@ -50,4 +50,4 @@ struct Engagement {
 [[nodiscard]] Engagement engagementOf(const Mechanism& mechanism, const Placement& placement,
                                       std::span<const int> couplings, const ShiftState* state = nullptr);
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

@@ -5,9 +5,9 @@
 #include "core/mechanism/placement/mesh_word.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 
-int directionSign(const Placement& placement, ClassOrdinal oneClass, ClassOrdinal otherClass) {
+int directionSign(const Placement& placement, AxisGroupOrdinal oneClass, AxisGroupOrdinal otherClass) {
   const Vector3& one = placement.lineOfClass(oneClass).direction;
   const Vector3& other = placement.lineOfClass(otherClass).direction;
   if (length(cross(one, other)) >= kSameLine) return 0;
@@ -24,11 +24,11 @@ std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<cons
     const int at = placement.classes->classOf[joint];
     int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->orientationSign[joint];
     auto known = speeds.begin();
-    while (known != speeds.end() && directionSign(placement, known->axisClass, at) == 0) ++known;
+    while (known != speeds.end() && directionSign(placement, known->axisGroup, at) == 0) ++known;
     if (known == speeds.end()) {
       known = speeds.insert(known, SpeedAbout{at, 0});
     } else {
-      sense *= directionSign(placement, known->axisClass, at);
+      sense *= directionSign(placement, known->axisGroup, at);
     }
     known->speed += Rational(sense) * rates[joint];
     link = parent;
@@ -38,18 +38,18 @@ std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<cons
 }
 
 RelativeSpeed RelativeSpeed::between(const Placement& placement, LinkOrdinal from, LinkOrdinal to) {
-  const AxisClasses& classes = *placement.classes;
-  ClassPath path;
+  const AxisGroups& classes = *placement.classes;
+  AxisGroupPath path;
   path.walk(classes, from, to);
   RelativeSpeed speed;
   int last = -1;  // the part of the stretch before
   LinkOrdinal entry = from;
   for (std::size_t i = 0; i < path.classes().size(); ++i) {
-    const ClassOrdinal at = path.classes()[i];
+    const AxisGroupOrdinal at = path.classes()[i];
     const LinkOrdinal exit = i + 1 < path.classes().size() ? path.change(i) : to;
     int sign = 1;
     auto part = std::find_if(speed.parts.begin(), speed.parts.end(), [&](const Part& known) {
-      return (sign = directionSign(placement, known.axisClass, at)) != 0;
+      return (sign = directionSign(placement, known.axisGroup, at)) != 0;
     });
     if (part == speed.parts.end()) {
       sign = 1;
@@ -66,4 +66,4 @@ RelativeSpeed RelativeSpeed::between(const Placement& placement, LinkOrdinal fro
   return speed;
 }
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

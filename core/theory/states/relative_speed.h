@@ -7,7 +7,7 @@
 #include "core/mechanism/placement/placement.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 
 /// The angular velocity of one link relative to another, as sums over the phi of the kinematic model
 /// (kinematic_model.h), one sum a direction: w = sum over the parts of (sum of factor * phi[link]) * u.
@@ -20,7 +20,7 @@ struct RelativeSpeed {
     int factor = 1;  ///< +1 or -1
   };
   struct Part {
-    ClassOrdinal axisClass = 0;  ///< u is the direction of its line
+    AxisGroupOrdinal axisGroup = 0;  ///< u is the direction of its line
     std::vector<Term> terms;
   };
   std::vector<Part> parts;
@@ -42,7 +42,7 @@ struct RelativeSpeed {
 
 /// A component of an absolute angular velocity: `speed` about the line of an axis class, rad/s.
 struct SpeedAbout {
-  ClassOrdinal axisClass = 0;
+  AxisGroupOrdinal axisGroup = 0;
   Rational speed;
 };
 
@@ -54,7 +54,8 @@ struct SpeedAbout {
 
 /// +1 where the lines of two classes point the same way, -1 where opposite ways, 0 where they are not
 /// parallel.
-[[nodiscard]] int directionSign(const Placement& placement, ClassOrdinal oneClass, ClassOrdinal otherClass);
+[[nodiscard]] int directionSign(const Placement& placement, AxisGroupOrdinal oneClass,
+                                AxisGroupOrdinal otherClass);
 
 /// The value of a part, from the phi of all links.
 template <class Field>
@@ -73,4 +74,4 @@ void addPart(SparseRows<typename Field::Value>& rows, const RelativeSpeed::Part&
   for (const RelativeSpeed::Term& term : part.terms) rows.add(term.link - 1, field.fromInteger(term.factor));
 }
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

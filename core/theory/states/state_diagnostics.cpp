@@ -2,18 +2,18 @@
 
 #include <string>
 
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxStateNames = 12;
 
 Diagnostic makeDiagnostic(const ShiftState& state, Code code) {
   Diagnostic result;
   result.code = code;
-  result.elements.emplace_back(ElementKind::state, Atom(state.name));
+  result.elements.emplace_back(ElementKind::state, InternedString(state.name));
   return result;
 }
 
@@ -28,7 +28,7 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
   Diagnostic result = makeDiagnostic(state, Code::stateLocked);
   const std::string drive = linkLabel(mechanism, *state.drive);
   std::vector<std::string> names;
-  for (const CouplingOrdinal coupling : locking) {
+  for (const ShiftElementOrdinal coupling : locking) {
     names.push_back(mechanism.couplings[coupling].id.text());
     result.elements.emplace_back(mechanism.couplings[coupling].id);
   }
@@ -49,7 +49,7 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
   } else {
     result.message = translated(
         "State %1 locks its drive, link %2: %3 hold it together. Release one of them, or drive another link.",
-        {state.name, drive, listed(names, kMaxNames)});
+        {state.name, drive, listed(names, kMaxStateNames)});
   }
   result.elements.emplace_back(*state.drive);
   return result;
@@ -64,7 +64,7 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
     result.elements.emplace_back(mechanism.links[link].id);
   }
   const std::string freedoms = std::to_string(dof);
-  const std::string turning = listed(names, kMaxNames);
+  const std::string turning = listed(names, kMaxStateNames);
   const bool isOne = names.size() == 1;
   if (state.drive) {
     const std::string drive = linkLabel(mechanism, *state.drive);
@@ -97,7 +97,7 @@ Diagnostic stateIdle(const Mechanism& mechanism, const ShiftState& state, const 
     names.push_back(std::to_string(mechanism.linkLabel(link)));
     result.elements.emplace_back(mechanism.links[link].id);
   }
-  const std::string turning = listed(names, kMaxNames);
+  const std::string turning = listed(names, kMaxStateNames);
   result.message = names.size() == 1
                        ? translated(
                              "State %1: link %2 turns freely beside it, at any speed. The ratio does not "
@@ -120,7 +120,7 @@ std::string lockedNames(const Mechanism& mechanism, const std::vector<StateSolut
     result.elements.emplace_back(mechanism.couplings[each.coupling].id);
     if (each.isLocked) names.push_back(mechanism.couplings[each.coupling].id.text());
   }
-  return names.empty() ? translated("none") : listed(names, kMaxNames);
+  return names.empty() ? translated("none") : listed(names, kMaxStateNames);
 }
 
 }  // namespace
@@ -148,7 +148,8 @@ Diagnostic freewheelsOverrun(const Mechanism& mechanism, const ShiftState& state
   return result;
 }
 
-Diagnostic freewheelDirection(const Mechanism& mechanism, const Coupling& freewheel, const Rational& slip) {
+Diagnostic freewheelDirection(const Mechanism& mechanism, const ShiftElement& freewheel,
+                              const Rational& slip) {
   Diagnostic result;
   result.code = Code::freewheelDirection;
   result.elements = {freewheel.id, freewheel.links.front(), freewheel.links.back()};
@@ -161,7 +162,8 @@ Diagnostic freewheelDirection(const Mechanism& mechanism, const Coupling& freewh
   return result;
 }
 
-Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling, const ShiftState* state) {
+Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftElement& coupling,
+                           const ShiftState* state) {
   Diagnostic result;
   if (state != nullptr) result = makeDiagnostic(*state, Code::turningLoop);
   result.code = Code::turningLoop;
@@ -169,7 +171,7 @@ Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
   const std::string& name = coupling.id.text();
   const std::string link = linkLabel(mechanism, coupling.links.front());
   const std::string other = linkLabel(mechanism, coupling.links.back());
-  const bool isBrake = coupling.kind == CouplingKind::brake;
+  const bool isBrake = coupling.kind == ShiftElementKind::brake;
   if (state != nullptr) {
     result.message =
         isBrake
@@ -196,7 +198,7 @@ Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
   return result;
 }
 
-Diagnostic clutchAxes(const Mechanism& mechanism, const Coupling& clutch) {
+Diagnostic clutchAxes(const Mechanism& mechanism, const ShiftElement& clutch) {
   Diagnostic result;
   result.code = Code::turningLoop;
   result.detail = Detail::clutchAxes;
@@ -221,4 +223,4 @@ Diagnostic ratioBeyondRange(const ShiftState& state) {
   return result;
 }
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

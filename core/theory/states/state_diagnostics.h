@@ -6,7 +6,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 
 /// state-locked: `locking` are the engaged couplings each of which, released alone, would let the drive turn;
 /// empty where no single one does, or where the train itself is locked (`byTrain`).
@@ -30,17 +30,17 @@ namespace geargraph::inline states {
 
 /// turning-loop: the coupling connects links across four directions of axes or more. `state`: in which it is
 /// engaged; null: in the document's current engagement.
-[[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
+[[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftElement& coupling,
                                          const ShiftState* state);
 
 /// freewheel-direction: the first link would turn faster than the second by `slip`, rad/s.
-[[nodiscard]] Diagnostic freewheelDirection(const Mechanism& mechanism, const Coupling& freewheel,
+[[nodiscard]] Diagnostic freewheelDirection(const Mechanism& mechanism, const ShiftElement& freewheel,
                                             const Rational& slip);
 
 /// turning-loop: the links of the clutch do not turn about one line against each other.
-[[nodiscard]] Diagnostic clutchAxes(const Mechanism& mechanism, const Coupling& clutch);
+[[nodiscard]] Diagnostic clutchAxes(const Mechanism& mechanism, const ShiftElement& clutch);
 
 /// The ratio of the state is beyond the largest double.
 [[nodiscard]] Diagnostic ratioBeyondRange(const ShiftState& state);
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

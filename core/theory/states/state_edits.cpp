@@ -11,7 +11,7 @@
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 namespace {
 
 /// A joint that is driven first, and how fast.
@@ -121,21 +121,21 @@ class EngagementEdit {
 
 }  // namespace
 
-Expected<Mechanism> withCouplingsEngaged(Mechanism mechanism, const std::vector<CouplingId>& engaged) {
+Expected<Mechanism> withCouplingsEngaged(Mechanism mechanism, const std::vector<ShiftElementId>& engaged) {
   Expected<Mechanism> after = withEngagement(mechanism, engaged);
   if (!after || after->engaged == mechanism.engaged) return after;
   return EngagementEdit(mechanism).finished(*std::move(after));
 }
 
-Expected<Mechanism> withCouplingEngaged(Mechanism mechanism, CouplingId coupling, bool engaged) {
-  std::vector<CouplingId> all = mechanism.engaged;
+Expected<Mechanism> withCouplingEngaged(Mechanism mechanism, ShiftElementId coupling, bool engaged) {
+  std::vector<ShiftElementId> all = mechanism.engaged;
   std::erase(all, coupling);
   if (engaged || mechanism.find(coupling) == nullptr) all.push_back(coupling);  // an unknown one is rejected
   return withCouplingsEngaged(std::move(mechanism), all);
 }
 
 Expected<Mechanism> withStateEngaged(Mechanism mechanism, int state) {
-  std::vector<CouplingId> engaged = mechanism.states[static_cast<std::size_t>(state)].engaged;
+  std::vector<ShiftElementId> engaged = mechanism.states[static_cast<std::size_t>(state)].engaged;
   std::sort(engaged.begin(), engaged.end());
   engaged.erase(std::unique(engaged.begin(), engaged.end()), engaged.end());
   Expected<Mechanism> after = withEngagement(mechanism, engaged);
@@ -143,4 +143,4 @@ Expected<Mechanism> withStateEngaged(Mechanism mechanism, int state) {
   return EngagementEdit(mechanism).finished(*std::move(after), state);
 }
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

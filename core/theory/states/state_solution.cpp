@@ -10,7 +10,7 @@
 #include "core/theory/states/state_diagnostics.h"
 #include "core/theory/states/state_system.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 namespace {
 
 /// Solves the states of one mechanism, one after the other.
@@ -31,7 +31,7 @@ class StateSolver {
     const ShiftState& state = m_mechanism.states[static_cast<std::size_t>(position)];
     StateSolution result;
     result.state = position;
-    for (const CouplingId id : state.engaged) result.engaged.push_back(m_couplingAt.at(id));
+    for (const ShiftElementId id : state.engaged) result.engaged.push_back(m_couplingAt.at(id));
     std::sort(result.engaged.begin(), result.engaged.end());
     result.engaged.erase(std::unique(result.engaged.begin(), result.engaged.end()), result.engaged.end());
     const std::vector<int> freewheels = freewheelsOf();
@@ -42,20 +42,20 @@ class StateSolver {
  private:
   [[nodiscard]] std::vector<int> freewheelsOf() const {
     std::vector<int> found;
-    for (CouplingOrdinal coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size());
+    for (ShiftElementOrdinal coupling = 0; coupling < static_cast<int>(m_mechanism.couplings.size());
          ++coupling) {
-      if (m_mechanism.couplings[coupling].kind == CouplingKind::freewheel) found.push_back(coupling);
+      if (m_mechanism.couplings[coupling].kind == ShiftElementKind::freewheel) found.push_back(coupling);
     }
     return found;
   }
 
   /// How much faster the first link of a freewheel turns than the second (freewheelSense()); none where that
   /// has no sense.
-  [[nodiscard]] std::optional<RelativeSpeed::Part> slipOf(CouplingOrdinal coupling) const {
+  [[nodiscard]] std::optional<RelativeSpeed::Part> slipOf(ShiftElementOrdinal coupling) const {
     const int sense = freewheelSense(m_mechanism, m_placement, coupling);
     if (sense == 0) return std::nullopt;
     const KinematicModel::HeldRow row = heldRows(m_mechanism, m_placement, coupling).front();
-    RelativeSpeed::Part slip{row.axisClass, {}};
+    RelativeSpeed::Part slip{row.axisGroup, {}};
     for (const KinematicModel::HeldRow::Term& term : row.links)
       slip.terms.push_back({term.of, sense * term.factor});
     return slip;
@@ -68,7 +68,7 @@ class StateSolver {
   enum class Push { forward, none, backward };
   /// Which way the drive would turn if the freewheel slipped against its locking with `driven` held; `none`
   /// also where that is not determined.
-  [[nodiscard]] Push pushOn(const ShiftState& state, std::vector<int> engaged, CouplingOrdinal freewheel,
+  [[nodiscard]] Push pushOn(const ShiftState& state, std::vector<int> engaged, ShiftElementOrdinal freewheel,
                             const RelativeSpeed::Part& slip) const {
     std::erase(engaged, freewheel);
     StateSystem system = systemOf(state, engaged);
@@ -96,7 +96,7 @@ class StateSolver {
   std::optional<StateSolution> solvedByPatterns(const ShiftState& state, const StateSolution& start,
                                                 const std::vector<int>& freewheels) {
     std::vector<std::optional<RelativeSpeed::Part>> slips;
-    for (const CouplingOrdinal each : freewheels) slips.push_back(slipOf(each));
+    for (const ShiftElementOrdinal each : freewheels) slips.push_back(slipOf(each));
     const bool isDecided =
         static_cast<int>(freewheels.size()) <= kMaxFreewheels &&
         std::all_of(slips.begin(), slips.end(), [](const auto& slip) { return slip.has_value(); });
@@ -192,7 +192,7 @@ class StateSolver {
     system.drive = RelativeSpeed::Part{};  // the ground: no term, so that it cannot turn
     for (RelativeSpeed::Part& part : RelativeSpeed::between(m_placement, 0, drive).parts) {
       const int sign =
-          directionSign(m_placement, part.axisClass, ownClass(drive)) * ownOrientationSign(drive);
+          directionSign(m_placement, part.axisGroup, ownClass(drive)) * ownOrientationSign(drive);
       if (sign == 0) continue;
       for (RelativeSpeed::Term& term : part.terms) term.factor *= sign;
       system.drive = std::move(part);
@@ -209,7 +209,7 @@ class StateSolver {
   [[nodiscard]] Diagnostic locked(const ShiftState& state, const std::vector<int>& engaged) const {
     if (!driveTurnsWith(state, {})) return stateLocked(m_mechanism, state, {}, true);
     std::vector<int> locking;
-    for (const CouplingOrdinal coupling : engaged) {
+    for (const ShiftElementOrdinal coupling : engaged) {
       std::vector<int> others = engaged;
       std::erase(others, coupling);
       if (driveTurnsWith(state, others)) locking.push_back(coupling);
@@ -268,7 +268,7 @@ class StateSolver {
     }
     result.isDrivenAtRest = directions == 0;
     if (directions != 1) return;
-    const int sign = senseOfDriven(m_linkAt.at(*state.drive), driven, turning->axisClass);
+    const int sign = senseOfDriven(m_linkAt.at(*state.drive), driven, turning->axisGroup);
     result.ratio = (Rational(sign) * valueOf(field, *turning, phi)).inverse();
     if (!std::isfinite(result.ratio->toDouble())) {
       result.ratio.reset();
@@ -279,10 +279,10 @@ class StateSolver {
   }
 
   /// +1 where the class's line points as the drive's axis does; where that lies across, as driven's own axis.
-  [[nodiscard]] int senseOfDriven(int drive, int driven, ClassOrdinal axisClass) const {
-    const int along = directionSign(m_placement, axisClass, ownClass(drive)) * ownOrientationSign(drive);
+  [[nodiscard]] int senseOfDriven(int drive, int driven, AxisGroupOrdinal axisGroup) const {
+    const int along = directionSign(m_placement, axisGroup, ownClass(drive)) * ownOrientationSign(drive);
     if (along != 0) return along;
-    const int own = directionSign(m_placement, axisClass, ownClass(driven)) * ownOrientationSign(driven);
+    const int own = directionSign(m_placement, axisGroup, ownClass(driven)) * ownOrientationSign(driven);
     return own == 0 ? 1 : own;
   }
 
@@ -378,4 +378,4 @@ Diagnostics stateDiagnostics(std::span<const StateSolution> states) {
   return all;
 }
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/foundations/exact/rational_function.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 
 /// With more freewheels than this states are solved with all of them free, and say so.
 constexpr int kMaxFreewheels = 12;
@@ -26,7 +26,7 @@ struct StateSolution {
   /// Couplings by position, each once, in the document's order of couplings; with the freewheels that lock.
   std::vector<int> engaged;
   struct Freewheel {
-    CouplingOrdinal coupling = 0;
+    ShiftElementOrdinal coupling = 0;
     bool isLocked = false;
   };
   /// What each freewheel of the document does while the drive turns the way the state says. Of all patterns
@@ -84,4 +84,4 @@ struct StateSolution {
 /// The diagnostics of all states, in the order of the states.
 [[nodiscard]] Diagnostics stateDiagnostics(std::span<const StateSolution> states);
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

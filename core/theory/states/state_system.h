@@ -8,7 +8,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph::inline states {
+namespace geargraph {
 
 /// The rows of the meshes, then those of couplings, then the drive's speed as the given column n.
 struct StateSystem {
@@ -68,4 +68,4 @@ struct StateSystem {
   return true;
 }
 
-}  // namespace geargraph::inline states
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/length.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// Adds the power of one load for unit speeds of links and joints, from the link towards the ground.
@@ -42,11 +42,11 @@ class PowerSum {
     const auto add = [&](RadicalColumns& to, int place, int sign, const ExactLine& line) {
       to.add(place, Rational(sign) * component(line), square * dot(line.direction, line.direction).inverse());
     };
-    const AxisClasses& classes = *m_placement.classes;
+    const AxisGroups& classes = *m_placement.classes;
     for (int at = link; at != 0;) {
-      const ClassOrdinal axisClass = classes.classOfLink(at);
-      add(m_power.byLink, at, 1, exactLineOfClass(m_mechanism, m_placement, axisClass));
-      at = classes.classes[axisClass].rootLink;
+      const AxisGroupOrdinal axisGroup = classes.classOfLink(at);
+      add(m_power.byLink, at, 1, exactLineOfClass(m_mechanism, m_placement, axisGroup));
+      at = classes.classes[axisGroup].rootLink;
     }
     const SpanningTree& tree = m_model.tree();
     for (int at = link; at != 0; at = tree.parent(at)) {
@@ -94,15 +94,15 @@ void addLoads(const Mechanism& mechanism, const Placement& placement, std::span<
 }
 
 std::vector<TorquePlace> placesOf(const Mechanism& mechanism, const Placement& placement,
-                                  std::span<const Balance> balances) {
+                                  std::span<const HoldingTorque> balances) {
   const PositionIndex<LinkTag> links(mechanism.links);
   const PositionIndex<JointTag> joints(mechanism.turningJoints);
   std::vector<TorquePlace> places;
-  for (const Balance& balance : balances) {
+  for (const HoldingTorque& balance : balances) {
     if (const auto* joint = std::get_if<JointId>(&balance.at)) {
       places.push_back(TorquePlace{joints.at(*joint)});
     } else {
-      const auto& on = std::get<Balance::OnLink>(balance.at);
+      const auto& on = std::get<HoldingTorque::OnLink>(balance.at);
       places.push_back(onLink(mechanism, placement, links.at(on.link), on.axis));
     }
   }
@@ -141,4 +141,4 @@ Real cosineBetween(const ExactVector3& a, const ExactVector3& b) {
   return Real::inexact(std::sqrt(square.toDouble()) * product.sign());
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

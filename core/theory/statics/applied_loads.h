@@ -8,7 +8,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// Where a torque of statics acts: in a turning joint, by its tail on its head about +direction of its axis;
 /// or on a link about a direction of the base frame, with the reaction on the ground.
@@ -55,7 +55,7 @@ void addLoads(const Mechanism& mechanism, const Placement& placement, std::span<
               StaticsProblem& problem);
 /// Where the torques of these balances act. @pre as addLoads()
 [[nodiscard]] std::vector<TorquePlace> placesOf(const Mechanism& mechanism, const Placement& placement,
-                                                std::span<const Balance> balances);
+                                                std::span<const HoldingTorque> balances);
 
 /// Metres in one of the document's unit; std::nullopt if the unit is not known.
 [[nodiscard]] std::optional<Rational> metresPerUnit(const Mechanism& mechanism);
@@ -80,4 +80,4 @@ struct LoadPower {
 /// The cosine of the angle between two directions of any length above 0; exact where it is rational.
 [[nodiscard]] Real cosineBetween(const ExactVector3& a, const ExactVector3& b);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

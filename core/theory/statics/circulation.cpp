@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/position_index.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// Groups that are united, each named by one of its members.
@@ -166,7 +166,7 @@ class Finder {
     for (const AppliedForce& load : m_problem.forces) other[load.link] = 1;
     for (const TorquePlace& balance : m_problem.balances) place(balance);
     const PositionIndex<LinkTag> links(m_mechanism.links);
-    for (const CouplingOrdinal coupling : m_problem.engaged)
+    for (const ShiftElementOrdinal coupling : m_problem.engaged)
       for (const LinkId& link : m_mechanism.couplings[coupling].links) other[links.at(link)] = 1;
     for (std::size_t link = 0; link < other.size(); ++link)
       if (other[link] != 0) m_isPlanet[link] = 0;
@@ -194,8 +194,8 @@ class Finder {
   void uniteShafts() {
     const PositionIndex<LinkTag> links(m_mechanism.links);
     for (const int position : m_problem.engaged) {
-      const Coupling& coupling = m_mechanism.couplings[position];
-      if (coupling.kind != CouplingKind::brake)
+      const ShiftElement& coupling = m_mechanism.couplings[position];
+      if (coupling.kind != ShiftElementKind::brake)
         m_shafts.unite(links.at(coupling.links.front()), links.at(coupling.links.back()));
     }
   }
@@ -265,4 +265,4 @@ std::optional<std::vector<Circulation>> circulationsOf(
   return Finder(mechanism, model, placement, problem, lossless, flow).run();
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

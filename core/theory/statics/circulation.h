@@ -5,7 +5,7 @@
 
 #include "core/theory/statics/power_flow.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// Power that circulates in a loop of the train, in addition to the power from the input to the output.
 struct Circulation {
@@ -32,4 +32,4 @@ constexpr int kMaxCirculations = 64;
     const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
     const StaticsProblem& problem, const StaticsSolution& lossless, const PowerFlow& flow);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -1,6 +1,6 @@
 #include "core/theory/statics/cutset_equations.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 CutsetEquations::CutsetEquations(const CoefficientMatrix& matrix)
     : m_starts(static_cast<std::size_t>(matrix.columns()) + 1, 0) {
@@ -40,4 +40,4 @@ CutsetEquations::CutsetEquations(const TtGraph& graph)
   }
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

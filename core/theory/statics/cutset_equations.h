@@ -6,7 +6,7 @@
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The f-cutsets of the spanning tree as equations of the torques about the joints' axes, (19*):
 ///
@@ -51,4 +51,4 @@ class CutsetEquations {
   std::vector<Term> m_terms;
 };
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/machine/train/mesh_contact.h"
 #include "core/theory/matroid/exact_solution.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 RadicalColumns negatedLoads(const RadicalColumns& columns) {
@@ -178,4 +178,4 @@ std::optional<EfficiencyCurve> efficiencyCurve(const Mechanism& mechanism, const
   return curve;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

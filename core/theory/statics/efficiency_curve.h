@@ -2,7 +2,7 @@
 
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The variable of an efficiency curve.
 enum class CurveAxis {
@@ -50,4 +50,4 @@ struct EfficiencyCurve {
     const MatroidAnalysis& analysis, const StaticsReport& report, const StaticsOptions& options,
     CurveAxis axis, const CurveRange& range, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

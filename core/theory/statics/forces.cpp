@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/position_index.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// Perpendicular to the pitch line in the plane of the axes, towards the axis of the smaller gear.
@@ -136,9 +136,9 @@ class ForceSum {
         if (m_determined[at] == 0) mark(place.link, 0);
         continue;
       }
-      const Coupling& coupling = m_mechanism.couplings[first.coupling];
+      const ShiftElement& coupling = m_mechanism.couplings[first.coupling];
       const LinkOrdinal link = links.at(coupling.links.front());
-      const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
+      const int against = coupling.kind == ShiftElementKind::brake ? 0 : links.at(coupling.links.back());
       std::vector<std::pair<Vector3, double>> components;
       bool isDetermined = true;
       for (; part < m_held.size() && m_held[part].coupling == first.coupling; ++part) {
@@ -263,4 +263,4 @@ StaticsForces forcesOf(const Mechanism& mechanism, const KinematicModel& model, 
   return result;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

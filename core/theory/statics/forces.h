@@ -7,7 +7,7 @@
 
 #include "core/theory/statics/statics_solution.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The force of one mesh, by the tail's gear on the head's, at the drawn pitch point (a bevel's: mid face),
 /// in the reference pose.
@@ -81,4 +81,4 @@ struct StaticsForces {
 /// orthogonalisation; a direction that depends linearly on those before it is ignored.
 [[nodiscard]] Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

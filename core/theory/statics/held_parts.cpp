@@ -4,7 +4,7 @@
 
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 class PartMaker {
@@ -20,10 +20,10 @@ class PartMaker {
       const JointOrdinal joint = m_placement.tree->joint[first];
       HeldPart& part = parts.emplace_back();
       part.coupling = position;
-      const int along = directionSign(m_placement, row.axisClass, m_placement.classes->classOf[joint]);
+      const int along = directionSign(m_placement, row.axisGroup, m_placement.classes->classOf[joint]);
       part.isMain = along != 0;
       part.axis = part.isMain ? AxisOrdinal(m_placement.tree->axisOf[joint])
-                              : m_placement.classes->classes[row.axisClass].axis;
+                              : m_placement.classes->classes[row.axisGroup].axis;
       const int sign = part.isMain ? along * m_placement.classes->orientationSign[joint] : 1;
       for (const auto& term : row.links) part.byLink.emplace_back(term.of, Rational(sign * term.factor));
       for (const auto& term : row.joints) part.byJoint.emplace_back(term.of, Rational(sign * term.factor));
@@ -46,12 +46,12 @@ class PartMaker {
       part.isExact = part.isExact && cosine.isExact();
       return cosine.isExact() ? *cosine.fraction() : Rational::fromDouble(cosine.number());
     };
-    const AxisClasses& classes = *m_placement.classes;
+    const AxisGroups& classes = *m_placement.classes;
     for (int at = place.link; at != 0;) {
-      const ClassOrdinal axisClass = classes.classOfLink(at);
-      Rational cosine = factor(exactLineOfClass(m_mechanism, m_placement, axisClass).direction);
+      const AxisGroupOrdinal axisGroup = classes.classOfLink(at);
+      Rational cosine = factor(exactLineOfClass(m_mechanism, m_placement, axisGroup).direction);
       if (!cosine.isZero()) part.byLink.emplace_back(at, std::move(cosine));
-      at = classes.classes[axisClass].rootLink;
+      at = classes.classes[axisGroup].rootLink;
     }
     const SpanningTree& tree = m_model.tree();
     for (int at = place.link; at != 0; at = tree.parent(at)) {
@@ -95,10 +95,10 @@ std::vector<HeldPart> heldParts(const Mechanism& mechanism, const KinematicModel
                                 const Placement& placement, const StaticsProblem& problem) {
   const PartMaker maker(mechanism, model, placement);
   std::vector<HeldPart> parts;
-  for (const CouplingOrdinal coupling : problem.engaged) maker.addCoupling(coupling, parts);
+  for (const ShiftElementOrdinal coupling : problem.engaged) maker.addCoupling(coupling, parts);
   for (std::size_t i = 0; i < problem.balances.size(); ++i)
     parts.push_back(maker.balanceAt(static_cast<int>(i), problem.balances[i]));
   return parts;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -5,16 +5,16 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/theory/statics/statics_system.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
-std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model, const FusedField& field,
+std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model, const ModularDoubleField& field,
                                             std::span<const HeldPart> held, const RadicalColumns& loads,
                                             const std::stop_token& stop) {
   const auto weight = [&](MeshOrdinal mesh, bool tail) {
     const KinematicModel::MeshRow& row = model.meshRow(mesh);
     return field.fromInteger(tail ? row.tailTeeth : row.headTeeth);
   };
-  const auto fused = [&](const Rational& factor) -> Fused {
+  const auto fused = [&](const Rational& factor) -> ModularDouble {
     // A denominator that the prime divides: any residue but 0 keeps the double alive.
     return {factor.toDouble(), field.prime().fromRational(factor).value_or(field.prime().one())};
   };
@@ -27,7 +27,7 @@ std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model, const F
   result.indeterminate = static_cast<int>(system->freeColumns.size());
   result.determined.assign(static_cast<std::size_t>(unknowns), 1);
   result.values.assign(static_cast<std::size_t>(unknowns), 0);
-  std::vector<Fused> x(static_cast<std::size_t>(system->columns));
+  std::vector<ModularDouble> x(static_cast<std::size_t>(system->columns));
   if (result.indeterminate > 0) {
     // A sum of self-stresses at random: what is 0 in it is 0 in all of them.
     ResidueStream random(field.prime(), 0x737472657373U);
@@ -41,7 +41,7 @@ std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model, const F
   for (int k = 0; k < loads.count(); ++k) {
     const RadicalColumns::Column& part = loads.columns()[static_cast<std::size_t>(k)];
     if (part.entries.empty()) continue;
-    std::fill(x.begin(), x.end(), Fused());
+    std::fill(x.begin(), x.end(), ModularDouble());
     x[static_cast<std::size_t>(unknowns + k)] = field.one();
     substitute(field, *system, x);
     for (const auto& check : system->checks)
@@ -54,4 +54,4 @@ std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model, const F
   return result;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

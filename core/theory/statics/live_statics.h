@@ -8,7 +8,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/statics/held_parts.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The torques of StaticsSolution, fast enough for dragging: in doubles, with residues modulo a prime that
 /// decide what is held, what is determined and what is 0.
@@ -22,9 +22,9 @@ struct LiveStatics {
 
 /// std::nullopt if `stop` was requested. Cost: one live elimination, near linear in n + c.
 [[nodiscard]] std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model,
-                                                          const FusedField& field,
+                                                          const ModularDoubleField& field,
                                                           std::span<const HeldPart> held,
                                                           const RadicalColumns& loads,
                                                           const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// Other codes of a report (a state that locks) are those of the document's own analysis.
@@ -67,4 +67,4 @@ Diagnostics solvedLoadDiagnostics(const Mechanism& mechanism, std::span<const St
   return diagnostics;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The diagnostics of a solved report that concern the document: without notes on assumptions that the
 /// document does not contain (unit-load, no-efficiency). Empty for a document without loads.
@@ -16,4 +16,4 @@ namespace geargraph::inline statics {
 [[nodiscard]] Diagnostics solvedLoadDiagnostics(const Mechanism& mechanism,
                                                 std::span<const StaticsReport* const> byState);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

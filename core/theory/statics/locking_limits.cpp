@@ -4,7 +4,7 @@
 
 #include "core/machine/train/mesh_contact.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 constexpr int kLockingPoints = 17;
@@ -188,4 +188,4 @@ std::optional<LockingLimits> lockingLimits(const Mechanism& mechanism, const Kin
   return limits;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The single variable along which the losses of all meshes grow.
 enum class LockingScale {
@@ -48,4 +48,4 @@ struct LockingLimits {
                                                          const StaticsOptions& options,
                                                          const std::stop_token& stop = {}, int mostCheap = 8);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

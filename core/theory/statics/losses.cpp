@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 using Pattern = std::vector<MeshLoss::Driver>;
@@ -176,9 +176,9 @@ PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solu
   return torques;
 }
 
-int orientationSignAt(const Placement& placement, LinkOrdinal gear, ClassOrdinal axisClass) {
+int orientationSignAt(const Placement& placement, LinkOrdinal gear, AxisGroupOrdinal axisGroup) {
   const int own = placement.tree->joint[gear];
-  if (own >= 0 && placement.classes->classOf[own] == axisClass)
+  if (own >= 0 && placement.classes->classOf[own] == axisGroup)
     return placement.classes->orientationSign[own];
   return 1;  // the gear is the class's link nearest the ground
 }
@@ -270,4 +270,4 @@ std::optional<double> selfLockingPart(const KinematicModel& model, const Statics
   return ((free + locked) / 2).toDouble();
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/machine/train/mesh_contact.h"
 #include "core/theory/statics/stiffness.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The efficiency of one mesh, of the power that crosses it seen from its carrier.
 struct MeshEfficiency {
@@ -38,7 +38,7 @@ struct PortTorques {
 
 /// +1 where the joint next to the gear on the way to the carrier points as the class's line does, -1 against
 /// it: the sign with which port torques are shown.
-[[nodiscard]] int orientationSignAt(const Placement& placement, LinkOrdinal gear, ClassOrdinal axisClass);
+[[nodiscard]] int orientationSignAt(const Placement& placement, LinkOrdinal gear, AxisGroupOrdinal axisGroup);
 
 /// A steady motion: the rates of all joints, by joint.
 using Motion = ByJoint<Rational>;
@@ -122,4 +122,4 @@ struct PowerSums {
                                                     const CoefficientMatrix* stiffness = nullptr,
                                                     const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/theory/states/relative_speed.h"
 #include "core/theory/statics/forces.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// A vector as a sum over the directions of a train, by ascending direction.
@@ -33,22 +33,22 @@ class Directions {
  public:
   Directions(const Mechanism& mechanism, const Placement& placement) {
     const int classes = static_cast<int>(placement.classes->classes.size());
-    for (ClassOrdinal axisClass = 0; axisClass < classes; ++axisClass) {
+    for (AxisGroupOrdinal axisGroup = 0; axisGroup < classes; ++axisGroup) {
       std::pair<int, int> known{-1, 1};
       for (std::size_t at = 0; at < m_classOf.size() && known.first < 0; ++at)
-        if (const int sign = directionSign(placement, axisClass, m_classOf[at]); sign != 0)
+        if (const int sign = directionSign(placement, axisGroup, m_classOf[at]); sign != 0)
           known = {static_cast<int>(at), sign};
       if (known.first < 0) {
         known.first = static_cast<int>(m_vectors.size());
-        m_classOf.push_back(axisClass);
-        m_vectors.push_back(exactLineOfClass(mechanism, placement, axisClass).direction);
+        m_classOf.push_back(axisGroup);
+        m_vectors.push_back(exactLineOfClass(mechanism, placement, axisGroup).direction);
       }
       m_ofClass.push_back(known);
     }
   }
 
   /// The direction of a class's line, and the sign.
-  [[nodiscard]] std::pair<int, int> ofClass(ClassOrdinal axisClass) const { return m_ofClass[axisClass]; }
+  [[nodiscard]] std::pair<int, int> ofClass(AxisGroupOrdinal axisGroup) const { return m_ofClass[axisGroup]; }
   /// Of the classes' lines, all.
   [[nodiscard]] bool areParallel() const { return m_classOf.size() == 1; }
   /// Any other, one that is known where it is parallel to it in fractions.
@@ -174,8 +174,8 @@ class Flow {
   void addMesh(MeshOrdinal mesh) {
     const MeshGeometry& geometry = *m_placement.meshes[mesh];
     const PortTorques ports = portTorques(m_model, m_solution, m_losses, mesh);
-    const auto along = [&](ClassOrdinal axisClass, const Real& size) {
-      const auto [direction, sign] = m_directions.ofClass(axisClass);
+    const auto along = [&](AxisGroupOrdinal axisGroup, const Real& size) {
+      const auto [direction, sign] = m_directions.ofClass(axisGroup);
       return Torque{{direction, Real(sign) * size}};
     };
     const Torque onTail = along(geometry.tailClass, ports.tail);
@@ -200,9 +200,9 @@ class Flow {
     const std::vector<HeldPart>& held = m_solution.held;
     for (std::size_t part = 0; part < held.size() && held[part].coupling >= 0;) {
       const int position = held[part].coupling;
-      const Coupling& coupling = m_mechanism.couplings[position];
+      const ShiftElement& coupling = m_mechanism.couplings[position];
       const LinkOrdinal link = links.at(coupling.links.front());
-      const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
+      const int against = coupling.kind == ShiftElementKind::brake ? 0 : links.at(coupling.links.back());
       const std::size_t first = part;
       bool isDetermined = true;
       bool isByStiffness = false;
@@ -380,8 +380,8 @@ class Flow {
     if (unknown < m_model.c()) {
       const MeshGeometry& geometry = *m_placement.meshes[unknown];
       const KinematicModel::MeshRow& row = m_model.meshRow(unknown);
-      const auto add = [&](LinkOrdinal gear, ClassOrdinal axisClass, const Rational& size) {
-        const auto [direction, sign] = m_directions.ofClass(axisClass);
+      const auto add = [&](LinkOrdinal gear, AxisGroupOrdinal axisGroup, const Rational& size) {
+        const auto [direction, sign] = m_directions.ofClass(axisGroup);
         const Torque torque{{direction, Real(Rational(sign) * size)}};
         put(gear, torque);
         put(geometry.carrier, opposite(torque));
@@ -396,14 +396,14 @@ class Flow {
       if (!place.inJoint()) put(place.link, {{m_directions.of(place.direction), Real(weight)}});
       return;
     }
-    const Coupling& coupling = m_mechanism.couplings[part.coupling];
+    const ShiftElement& coupling = m_mechanism.couplings[part.coupling];
     const auto joint = firstJointOn(part.axis);
     const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
     const Torque torque{
         {direction, Real(Rational(sign * m_placement.classes->orientationSign[joint]) * weight)}};
     const PositionIndex<LinkTag> links(m_mechanism.links);
     put(links.at(coupling.links.front()), torque);
-    if (coupling.kind != CouplingKind::brake) put(links.at(coupling.links.back()), opposite(torque));
+    if (coupling.kind != ShiftElementKind::brake) put(links.at(coupling.links.back()), opposite(torque));
   }
 
   /// Does the torque do work on the link? What is rounded counts beyond rounding only.
@@ -476,4 +476,4 @@ std::optional<Real> latentRatio(const StaticsSolution& solution, const MeshPower
   return sum / fed;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/theory/statics/losses.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// What one element delivers to a link, W; below 0: what it takes from it.
 struct PowerPort {
@@ -67,4 +67,4 @@ struct PowerFlow {
 [[nodiscard]] std::optional<Real> latentRatio(const StaticsSolution& solution, const MeshPowers& powers,
                                               const Real& fed);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

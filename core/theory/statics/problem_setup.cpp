@@ -6,7 +6,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/statics/statics_diagnostics.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 class ProblemSetup {
@@ -154,4 +154,4 @@ void setUpProblem(const Mechanism& mechanism, const KinematicModel& model, const
   setup.takeBalances();
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// Sets what acts on the train and what holds it: the loads, problem and held parts of the report, as the
 /// options of the analysis ask, and adds the diagnostics about them.
@@ -11,4 +11,4 @@ namespace geargraph::inline statics {
 void setUpProblem(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
                   const MatroidAnalysis& analysis, const StaticsOptions& options, StaticsReport& report);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/foundations/exact/linear_maximum.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxStresses = 12;  ///< self-stresses for which ranges are found
@@ -107,4 +107,4 @@ std::vector<std::optional<SharedRange>> sharedRanges(const KinematicModel& model
   return ranges;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 
 #include "core/theory/statics/losses.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The least and the greatest value of a torque.
 struct SharedRange {
@@ -34,4 +34,4 @@ struct SharedRange {
 [[nodiscard]] std::vector<std::optional<SharedRange>> sharedRanges(const KinematicModel& model,
                                                                    const LossySolution& solution);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

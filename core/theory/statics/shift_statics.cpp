@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/load_edits.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// The link that a torque acts on from the ground, about the direction of the link's first axis on the way
@@ -98,4 +98,4 @@ std::optional<StateForces> solveShiftState(const Mechanism& mechanism, const Kin
   return result.alone ? std::optional(std::move(result)) : std::nullopt;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

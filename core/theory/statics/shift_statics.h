@@ -2,7 +2,7 @@
 
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The torque at the drive of a state in the shift table, N m: that of the document, else that of its loads
 /// on a link that drives states, if these are on one link; else 1. std::nullopt where loads are on the
@@ -40,4 +40,4 @@ struct EndTorques {
                                                          StaticsOptions options = {},
                                                          const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

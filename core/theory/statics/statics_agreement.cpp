@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// Rounded numbers of both agree to the digits that a few hundred operations leave.
@@ -55,4 +55,4 @@ std::vector<TtChord> chordsOf(std::span<const HeldPart> held) {
   return chords;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

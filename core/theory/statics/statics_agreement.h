@@ -6,7 +6,7 @@
 #include "core/theory/statics/statics_solution.h"
 #include "core/theory/ttgraph/tt_statics.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// Both methods' torques side by side, mesh by mesh and held part by held part, as fractions.
 struct StaticsAgreement {
@@ -26,4 +26,4 @@ struct StaticsAgreement {
 /// The held parts as further chords of the T-T graph, one each, in order.
 [[nodiscard]] std::vector<TtChord> chordsOf(std::span<const HeldPart> held);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

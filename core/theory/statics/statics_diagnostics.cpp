@@ -7,15 +7,15 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/foundations/base/spoken.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/locale.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/mechanism/model/load_edits.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
-constexpr std::size_t kMaxNames = 12;
+constexpr std::size_t kMaxStaticsNames = 12;
 
 Diagnostic makeDiagnostic(Code code, std::string message, std::vector<ElementId> elements = {}) {
   return {code, std::move(message), std::move(elements), {}, 0, 0};
@@ -24,13 +24,13 @@ Diagnostic makeDiagnostic(Code code, std::string message, std::vector<ElementId>
 std::string decimal(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
-  return spokenNumber(buffer);
+  return localizedNumber(buffer);
 }
 
 /// One of two texts that are marked by toTranslate(), by the number of names in the place %1: "joint 14",
 /// "joints 13 and 14".
-std::string counted(const char* one, const char* many, const std::vector<std::string>& names) {
-  return filled(translated(names.size() == 1 ? one : many), {listed(names, kMaxNames)});
+std::string countedLinks(const char* one, const char* many, const std::vector<std::string>& names) {
+  return filled(translated(names.size() == 1 ? one : many), {listed(names, kMaxStaticsNames)});
 }
 
 /// With its first letter in upper case, where that is one of ASCII: German nouns have it already.
@@ -41,7 +41,7 @@ std::string capitalized(std::string sentence) {
 }
 
 std::string countedMeshes(const std::vector<std::string>& names) {
-  return counted(toTranslate("mesh %1"), toTranslate("meshes %1"), names);
+  return countedLinks(toTranslate("mesh %1"), toTranslate("meshes %1"), names);
 }
 
 std::vector<std::string> jointLabels(const Mechanism& mechanism, const std::vector<int>& joints) {
@@ -121,7 +121,7 @@ std::string rangesOfShares(const Mechanism& mechanism, const StaticsReport& repo
   }
   if (ranges.empty()) return {};
   return ' ' + translated("For any sharing in which no mesh works against the others: %1.",
-                          {listed(ranges, kMaxNames)});
+                          {listed(ranges, kMaxStaticsNames)});
 }
 
 /// What is known of the torques outside of self-stresses. `areMeshesOnly`: only meshes share.
@@ -202,9 +202,9 @@ Diagnostic unbalancedLoads(const Mechanism& mechanism, const StaticsReport& repo
   for (const JointOrdinal joint : motion.joints)
     if (!drivers.joints.contains(joint)) cures.push_back(joint);
   if (cures.empty()) cures = motion.joints;
-  const std::string turning = listed(jointLabels(mechanism, motion.joints), kMaxNames);
-  const std::string loads = listed(drivers.names, kMaxNames);
-  const std::string choices = listed(jointLabels(mechanism, cures), kMaxNames, toTranslate("or"));
+  const std::string turning = listed(jointLabels(mechanism, motion.joints), kMaxStaticsNames);
+  const std::string loads = listed(drivers.names, kMaxStaticsNames);
+  const std::string choices = listed(jointLabels(mechanism, cures), kMaxStaticsNames, toTranslate("or"));
   std::string message =
       motion.joints.size() == 1
           ? translated(
@@ -239,8 +239,8 @@ Diagnostic loadsOnBalances(const Mechanism& mechanism, const StaticsReport& repo
       elements.emplace_back(*linkOf(load.load));
     }
   }
-  const std::string on = listed(names, kMaxNames);
-  const std::string held = listed(places, kMaxNames);
+  const std::string on = listed(names, kMaxStaticsNames);
+  const std::string held = listed(places, kMaxStaticsNames);
   return makeDiagnostic(
       Code::loadOnBalance,
       translated("The load on %1 acts where the balance at %2 holds, which cancels it: no mesh passes any of "
@@ -268,7 +268,7 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model, 
     const HeldPart& part = solution.held[static_cast<std::size_t>(unknown - model.c())];
     if (part.balance >= 0) balances = true;
     if (part.coupling < 0) continue;
-    const CouplingId id = mechanism.couplings[part.coupling].id;
+    const ShiftElementId id = mechanism.couplings[part.coupling].id;
     if (std::find(couplings.begin(), couplings.end(), id.text()) == couplings.end())
       couplings.push_back(id.text());
     elements.emplace_back(id);
@@ -276,9 +276,9 @@ Diagnostic sharedLoads(const Mechanism& mechanism, const KinematicModel& model, 
   std::vector<std::string> groups;
   if (!meshes.empty()) groups.push_back(countedMeshes(meshLabels(mechanism, meshes)));
   if (!couplings.empty())
-    groups.push_back(counted(toTranslate("coupling %1"), toTranslate("couplings %1"), couplings));
+    groups.push_back(countedLinks(toTranslate("coupling %1"), toTranslate("couplings %1"), couplings));
   if (balances) groups.push_back(translated("balances"));
-  const std::string sharing = capitalized(listed(groups, kMaxNames));
+  const std::string sharing = capitalized(listed(groups, kMaxStaticsNames));
   const int count = solution.indeterminate();
   std::string message = count == 1
                             ? translated(
@@ -299,7 +299,7 @@ Diagnostic deadLoad(const Mechanism& mechanism, JointOrdinal joint, const std::v
   std::vector<ElementId> elements{id};
   for (const MeshOrdinal mesh : meshes) elements.push_back(meshId(mechanism, mesh));
   const std::string label = std::to_string(mechanism.jointLabel(joint));
-  const std::string carrying = listed(meshLabels(mechanism, meshes), kMaxNames);
+  const std::string carrying = listed(meshLabels(mechanism, meshes), kMaxStaticsNames);
   std::string message;
   if (meshes.empty()) {
     message = translated("Joint %1 cannot turn: its load needs no balance.", {label});
@@ -323,7 +323,7 @@ Diagnostic selfLocking(const Mechanism& mechanism, const StaticsReport& report,
       elements.emplace_back(mechanism.links[place.link].id);
     }
   }
-  const std::string places = listed(names, kMaxNames);
+  const std::string places = listed(names, kMaxStaticsNames);
   std::string message =
       translated("No torque at %1 moves this load: the train is self-locking in this direction.", {places});
   if (part) {
@@ -383,7 +383,7 @@ Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>
       most = std::max(most, times[static_cast<std::size_t>(mesh)]);
       elements.push_back(meshId(mechanism, mesh));
     }
-    const std::string labels = listed(meshLabels(mechanism, meshes), kMaxNames);
+    const std::string labels = listed(meshLabels(mechanism, meshes), kMaxStaticsNames);
     std::string message =
         meshes.size() == 1
             ? translated("Mesh %1 passes %2 times the power fed, seen from its carrier.",
@@ -406,9 +406,9 @@ Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circu
   return makeDiagnostic(
       Code::recirculation,
       translated("%1 W of each W fed circulate through %2 and %3.",
-                 {decimal(part), counted(toTranslate("link %1"), toTranslate("links %1"), links),
+                 {decimal(part), countedLinks(toTranslate("link %1"), toTranslate("links %1"), links),
                   countedMeshes(meshLabels(mechanism, circulation.meshes))}),
       std::move(elements));
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

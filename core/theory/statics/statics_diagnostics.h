@@ -3,7 +3,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 // The diagnostics of statics, one function per code. The table of codes is in resources/schema/README.md.
 
@@ -40,4 +40,4 @@ namespace geargraph::inline statics {
 [[nodiscard]] Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation,
                                           double part);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

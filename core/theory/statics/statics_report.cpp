@@ -9,7 +9,7 @@
 #include "core/theory/statics/problem_setup.h"
 #include "core/theory/statics/statics_diagnostics.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// The joints that are no balances, where every balance is one: what the transposed kinematics is about.
@@ -471,4 +471,4 @@ std::vector<double> numbersOf(const StaticsSolution& solution) {
   return numbers;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -14,7 +14,7 @@
 #include "core/theory/statics/symbolic_efficiency.h"
 #include "core/theory/statics/symbolic_statics.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// With more loaded joints than this StaticsReport::ttMatrix is omitted: the T-T graph solves one chain for
 /// each.
@@ -25,11 +25,11 @@ struct StaticsOptions {
   /// Position of the state whose couplings are engaged, instead of those that the document engages; -1:
   /// these.
   int state = -1;
-  bool documentLoads = true;           ///< false: `loads` only
-  std::vector<Load> loads;             ///< beside those of the document
-  std::vector<Balance> balances;       ///< instead of those of the document, where there are any
-  bool losses = false;                 ///< with the efficiencies of the meshes
-  std::optional<Rational> efficiency;  ///< for meshes that state none
+  bool documentLoads = true;            ///< false: `loads` only
+  std::vector<Load> loads;              ///< beside those of the document
+  std::vector<HoldingTorque> balances;  ///< instead of those of the document, where there are any
+  bool losses = false;                  ///< with the efficiencies of the meshes
+  std::optional<Rational> efficiency;   ///< for meshes that state none
   /// How self-stresses are decided; none: as the document states. Losses depend on the shares: where nothing
   /// is stated, meshes that lose power share by stiffness, which is reported.
   std::optional<LoadSharing> sharing;
@@ -131,4 +131,4 @@ struct StaticsReport {
 /// The values of a solution as doubles, for forcesOf().
 [[nodiscard]] std::vector<double> numbersOf(const StaticsSolution& solution);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

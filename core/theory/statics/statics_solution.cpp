@@ -6,7 +6,7 @@
 #include "core/theory/matroid/structure.h"
 #include "core/theory/statics/statics_system.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// The weights of the two gears of a mesh: teeth, times the efficiency on the driven side.
@@ -196,4 +196,4 @@ std::optional<TorqueMatrix> torqueMatrix(const KinematicModel& model, std::span<
   return matrix;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -11,7 +11,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/statics/held_parts.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// A motion that meshes, couplings and balances allow and in which the loads do work: so nothing holds them.
 struct FreeMotion {
@@ -92,4 +92,4 @@ template <class Value>
   return phi;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/theory/matroid/kinematic_model.h"
 #include "core/theory/statics/held_parts.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The equations of statics in axis-group coordinates: the transposed rows of the kinematics. One torque
 /// balance per link v, sign as in (17*) tau + ell = P^T F:
@@ -85,4 +85,4 @@ template <class Field, class Weights, class Factor>
   return rows;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 /// By mesh, the square of F_c / mu_c, up to a common factor: N_tail / radius, or 1 where a radius is
@@ -70,4 +70,4 @@ bool shareByStiffness(const KinematicModel& model, const CoefficientMatrix& matr
   return true;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/statics/statics_solution.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// Decides the self-stresses of a held train by an assumption: all teeth are equally stiff, there is no
 /// clearance and the bodies are rigid. Then the sum of F_c^2 over the meshes is minimal: the solution is
@@ -17,4 +17,4 @@ namespace geargraph::inline statics {
 [[nodiscard]] bool shareByStiffness(const KinematicModel& model, const CoefficientMatrix& matrix,
                                     StaticsSolution& solution, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/theory/statics/statics_system.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 using Function = RationalFunction;
@@ -188,4 +188,4 @@ std::optional<RationalFunction> symbolicEfficiency(const Mechanism& mechanism, c
   return Solver(mechanism, model, problem, solution, motion, mostTerms, stop).run();
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 
 #include "core/theory/statics/losses.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The data from which the efficiency of a solved train follows.
 struct EfficiencyProblem {
@@ -30,4 +30,4 @@ struct EfficiencyProblem {
     const LossySolution& solution, const Motion& motion, const std::stop_token& stop = {},
     std::int64_t mostTerms = 200);
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

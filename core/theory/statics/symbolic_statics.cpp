@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/symbolic_solution.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 namespace {
 
 constexpr int kMaxTermsOfTheCore = 600;
@@ -88,9 +88,9 @@ class CutsetSystem {
 /// the unknowns are not determined at those, or `stop` was requested.
 std::optional<std::vector<std::vector<char>>> zerosOf(const CutsetSystem& cutsets, int meshes,
                                                       const std::stop_token& stop) {
-  const FusedField field;
+  const ModularDoubleField field;
   ResidueStream random(field.prime(), 0x726174696f73U);
-  ByMesh<Fused> ratios;
+  ByMesh<ModularDouble> ratios;
   for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) ratios.push_back({1, random.next()});
   const auto ratio = [&](MeshOrdinal mesh) { return ratios[mesh]; };
   const auto columns = static_cast<std::size_t>(cutsets.columns());
@@ -98,16 +98,16 @@ std::optional<std::vector<std::vector<char>>> zerosOf(const CutsetSystem& cutset
                                 cutsets.unknowns(), cutsets.columns(), stop);
   if (!system || !system->freeColumns.empty()) return std::nullopt;
   std::vector<std::vector<char>> zeros;
-  std::vector<Fused> x(columns);
+  std::vector<ModularDouble> x(columns);
   for (std::size_t given = static_cast<std::size_t>(cutsets.unknowns()); given < columns; ++given) {
     if (stop.stop_requested()) return std::nullopt;
-    std::fill(x.begin(), x.end(), Fused());
+    std::fill(x.begin(), x.end(), ModularDouble());
     x[given] = field.one();
     substitute(field, *system, x);
     for (const auto& check : system->checks)
       if (!field.isZero(checkValue(field, *system, check, x))) return std::nullopt;
     std::vector<char>& vanishing = zeros.emplace_back();
-    for (const Fused& value : x) vanishing.push_back(field.isZero(value) ? 1 : 0);
+    for (const ModularDouble& value : x) vanishing.push_back(field.isZero(value) ? 1 : 0);
   }
   return zeros;
 }
@@ -163,4 +163,4 @@ std::optional<SymbolicStatics> solveStaticsSymbolic(const Mechanism& mechanism,
   return result;
 }
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

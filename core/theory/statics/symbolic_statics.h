@@ -9,7 +9,7 @@
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/statics/cutset_equations.h"
 
-namespace geargraph::inline statics {
+namespace geargraph {
 
 /// The transposed kinematics in the gear ratios i_k = N_tail / N_head: torques in the balanced joints that
 /// hold the loads in the other joints, by the cutset equations (19*) with normalised columns of P:
@@ -49,4 +49,4 @@ struct SymbolicStatics {
     std::span<const int> balanced, std::span<const int> loaded, const std::stop_token& stop = {},
     ExpansionBudget budget = {});
 
-}  // namespace geargraph::inline statics
+}  // namespace geargraph

@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "core/foundations/base/scratch.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/ttgraph/wording.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 // 1. Every axis of the document gets a number that equal lines share.
@@ -245,4 +245,4 @@ AxisLevels axisLevels(const Mechanism& mechanism, const Digraph& graph, const Re
   return Classifier(mechanism, graph, lines).run();
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/mechanism/graph/digraph.h"
 #include "core/theory/ttgraph/reference_lines.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The turning joints that stay coaxial in every motion, and so the levels of the T-T graph: the letters on
 /// its tree branches [AU, Fig. 5].
@@ -50,4 +50,4 @@ struct AxisLevels {
 [[nodiscard]] AxisLevels axisLevels(const Mechanism& mechanism, const Digraph& graph,
                                     const ReferenceLines& lines);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

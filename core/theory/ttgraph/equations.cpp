@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 TtEquations::TtEquations(const TtGraph& graph, const SubstitutionPlan& plan, RatioNaming naming,
                          FormulaStyle style)
@@ -171,4 +171,4 @@ std::vector<std::string> TtEquations::stages(const SubstitutionStep& step) const
   return stages;
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

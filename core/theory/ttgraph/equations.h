@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/substitution_steps.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 enum class FormulaStyle { text, latex };
 
@@ -60,4 +60,4 @@ class TtEquations {
   ByMesh<RatioNames> m_names;
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

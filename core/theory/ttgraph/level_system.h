@@ -12,7 +12,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The equations of TtSystem for circuits that are too long to store: along a level, the velocities of its
 /// branches add up like voltages, so each link has one unknown, its velocity along its own level relative to
@@ -144,4 +144,4 @@ class LevelSystem {
   Elimination<Value> m_system;
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

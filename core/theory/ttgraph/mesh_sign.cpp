@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/terminal_rule.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 /// From the line's foot to the point.
@@ -62,4 +62,4 @@ std::optional<int> meshSign(const MeshPose& pose) {
   return signOfKind(pose, 1);
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 
 #include "core/theory/ttgraph/reference_lines.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The geometry of one mesh in the drawn pose: the axes of its two gears in their carrier, pointing as their
 /// levels do, and where the pitch surfaces touch. Each may be missing. Does not own what it points to.
@@ -29,4 +29,4 @@ struct MeshPose {
 /// std::nullopt if the drawn pose does not determine it: a bevel pair without its pitch point, skew axes.
 [[nodiscard]] std::optional<int> meshSign(const MeshPose& pose);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

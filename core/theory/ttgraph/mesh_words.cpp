@@ -2,7 +2,7 @@
 
 #include "core/theory/ttgraph/equations.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 bool isDigit(char c) {
@@ -76,4 +76,4 @@ std::optional<MeshWords> meshWords(const TtGraph& graph, MeshOrdinal mesh) {
   return words;
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

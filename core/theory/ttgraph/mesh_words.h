@@ -6,7 +6,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// One mesh of the T-T graph in the paper's notation, with printed subscripts, primes and minus signs.
 struct MeshWords {
@@ -28,4 +28,4 @@ struct MeshWords {
 /// "ω₅₁′′ = −n₂₅ ω₂₁′′".
 [[nodiscard]] std::string inPrint(std::string_view formula);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 constexpr int kCountablePrimes = 4;  // the paper's robot has four; more are written as a number
@@ -75,4 +75,4 @@ EquationNumbers::EquationNumbers(const TtGraph& graph, int unknowns) : m_unknown
   m_firstStep = next + static_cast<int>(graph.held().size());
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/mechanism/graph/paper_equation.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The velocity of one link relative to another, as the paper writes it: ω₅₁, and ω₅₁'' where it is a
 /// chord's.
@@ -70,4 +70,4 @@ class EquationNumbers {
   int m_unknowns = 0;
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

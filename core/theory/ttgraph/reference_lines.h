@@ -3,7 +3,7 @@
 #include "core/mechanism/placement/placement.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// What the T-T graph method reads of the drawn pose, to find which joints are coaxial and which way two
 /// meshing gears turn: only where axes and pitch points are. It finds levels, carriers and signs by itself.
@@ -39,4 +39,4 @@ class ReferenceLines {
   const Placement* m_placement = nullptr;
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

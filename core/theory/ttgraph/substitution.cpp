@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 class Planner {
@@ -116,4 +116,4 @@ SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inp
   return graph.longestCircuitTerms() > mostTerms ? planner.byLevels() : planner.run();
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The order in which the terminal equations give the unknown joint rates, as in Eqs. (39)-(42) of [AU]: take
 /// a mesh with one unknown left in its terminal and circuit equations, or a coupling with one left in its
@@ -42,4 +42,4 @@ constexpr long long kMaxCircuitTerms = 200'000;
 [[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs,
                                                 long long mostTerms = kMaxCircuitTerms);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

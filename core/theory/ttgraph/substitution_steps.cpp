@@ -6,16 +6,16 @@
 
 #include "core/theory/ttgraph/symbolic_system.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 using System = TtSystem<RationalFunctionField>;
 using Rows = SparseRows<RationalFunction>;
 
-class Chain {
+class SubstitutionChain {
  public:
-  Chain(const RationalFunctionField& field, const TtGraph& graph, const SubstitutionPlan& plan,
-        const RateMatrix<std::optional<RationalFunction>>& solution)
+  SubstitutionChain(const RationalFunctionField& field, const TtGraph& graph, const SubstitutionPlan& plan,
+                    const RateMatrix<std::optional<RationalFunction>>& solution)
       : m_field(field),
         m_graph(graph),
         m_plan(plan),
@@ -199,7 +199,7 @@ std::optional<std::vector<SubstitutionStep>> substitutionSteps(
   if (plan.byLevels) return std::vector<SubstitutionStep>();
   const auto symbolic = symbolicSystem(ring, graph, plan, stop);
   if (!symbolic) return std::nullopt;
-  return Chain(*symbolic->field, graph, plan, solution).run(*symbolic);
+  return SubstitutionChain(*symbolic->field, graph, plan, solution).run(*symbolic);
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -7,7 +7,7 @@
 #include "core/theory/ttgraph/notation.h"
 #include "core/theory/ttgraph/tt_solution.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// A term of another joint's equation.
 struct SolvedTerm {
@@ -44,4 +44,4 @@ struct SubstitutionStep {
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,
     const RateMatrix<std::optional<RationalFunction>>& solution, const std::stop_token& stop = {});
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -3,7 +3,7 @@
 #include <random>
 #include <utility>
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 /// The factors of Eq. (26) in the ratio of the mesh, the variable of its number: i w_ik - s w_jk = 0.
@@ -17,46 +17,47 @@ struct RatioWeights {
 /// The same at ratios drawn at random, apart for the double and for the residue: what vanishes there vanishes
 /// identically.
 struct RandomRatioWeights {
-  const FusedField* field;
-  ByMesh<Fused> ratios;
+  const ModularDoubleField* field;
+  ByMesh<ModularDouble> ratios;
 
-  RandomRatioWeights(const FusedField& fused, int meshes) : field(&fused) {
+  RandomRatioWeights(const ModularDoubleField& fused, int meshes) : field(&fused) {
     std::mt19937_64 random(20141001);
     ResidueStream residues(fused.prime(), 45);
     for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
       ratios.push_back({0.5 + static_cast<double>(random() % 1'000'003) / 1e6, residues.next()});
     }
   }
-  [[nodiscard]] std::pair<Fused, Fused> operator()(const TerminalPair& pair) const {
+  [[nodiscard]] std::pair<ModularDouble, ModularDouble> operator()(const TerminalPair& pair) const {
     return {ratios[pair.mesh], field->fromInteger(-pair.sign)};
   }
 };
 
 /// By equation: 1 where it is redundant. None where `stop` was requested.
-std::optional<std::vector<char>> redundantEquations(const FusedField& field, const TtGraph& graph,
+std::optional<std::vector<char>> redundantEquations(const ModularDoubleField& field, const TtGraph& graph,
                                                     const SubstitutionPlan& plan,
                                                     const std::stop_token& stop) {
-  const auto system =
-      TtSystem<FusedField>::of(field, graph, plan, TeethWeights<FusedField>{&field}, {}, stop);
+  const auto system = TtSystem<ModularDoubleField>::of(field, graph, plan,
+                                                       TeethWeights<ModularDoubleField>{&field}, {}, stop);
   if (!system) return std::nullopt;
   std::vector<char> redundant(static_cast<std::size_t>(graph.equations()), 0);
   for (const int equation : system->surplusEquations()) redundant[static_cast<std::size_t>(equation)] = 1;
   return redundant;
 }
 
-std::optional<std::vector<std::vector<char>>> vanishingRates(const FusedField& field, const TtGraph& graph,
+std::optional<std::vector<std::vector<char>>> vanishingRates(const ModularDoubleField& field,
+                                                             const TtGraph& graph,
                                                              const SubstitutionPlan& plan,
                                                              const LeftOut& redundant,
                                                              const std::stop_token& stop) {
   const RandomRatioWeights weights(field, graph.graph().c());
-  const auto system = TtSystem<FusedField>::of(field, graph, plan, weights, redundant, stop);
+  const auto system = TtSystem<ModularDoubleField>::of(field, graph, plan, weights, redundant, stop);
   if (!system) return std::nullopt;
   std::vector<std::vector<char>> vanishing;
-  std::vector<Fused> sample(plan.inputs.size());
-  for (Fused& input : sample) {
+  std::vector<ModularDouble> sample(plan.inputs.size());
+  for (ModularDouble& input : sample) {
     if (stop.stop_requested()) return std::nullopt;
     input = field.one();
-    const ByJoint<Fused> rates = system->rates(sample);
+    const ByJoint<ModularDouble> rates = system->rates(sample);
     input = {};
     std::vector<char>& zeros = vanishing.emplace_back();
     for (const JointOrdinal joint : plan.jointAt) {
@@ -80,7 +81,7 @@ std::vector<char> alwaysVanishing(const std::vector<std::vector<char>>& vanishin
 std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtGraph& graph,
                                              const SubstitutionPlan& plan, const std::stop_token& stop) {
   constexpr int kMaxTermsOfTheCore = 600;
-  const FusedField fused;
+  const ModularDoubleField fused;
   auto redundant = redundantEquations(fused, graph, plan, stop);
   if (!redundant) return std::nullopt;
   LeftOut left{std::move(*redundant), {}};
@@ -104,4 +105,4 @@ std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtG
   return SymbolicSystem{std::move(field), std::move(*vanishing), std::move(*system), withoutCoupled};
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/ttgraph/tt_system.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The equations over rational functions, without what is redundant or vanishes. Used by ttSymbolicSolution()
 /// and substitutionSteps(). The graph and the plan that it was made from outlive it.
@@ -30,4 +30,4 @@ struct SymbolicSystem {
                                                            const SubstitutionPlan& plan,
                                                            const std::stop_token& stop);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

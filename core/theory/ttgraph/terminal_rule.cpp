@@ -1,6 +1,6 @@
 #include "core/theory/ttgraph/terminal_rule.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 std::optional<int> againstEachOther(int sense) {
@@ -29,4 +29,4 @@ KindTable<MeshKind, TerminalRule>& terminalRules() {
   return table;
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

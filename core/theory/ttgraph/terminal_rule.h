@@ -4,7 +4,7 @@
 
 #include "core/mechanism/kinds/pair_kind.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// What the T-T graph knows of a kind of gear pair: the sign of its terminal equation (mesh_sign.h) as far as
 /// it needs no pitch point. It takes no step of the other method, which has the sign from the pitch radii.
@@ -16,4 +16,4 @@ struct TerminalRule {
 
 [[nodiscard]] KindTable<MeshKind, TerminalRule>& terminalRules();
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

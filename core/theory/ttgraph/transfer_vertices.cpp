@@ -1,11 +1,11 @@
 #include "core/theory/ttgraph/transfer_vertices.h"
 
 #include "core/foundations/base/scratch.h"
-#include "core/foundations/base/wording.h"
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/text_lists.h"
+#include "core/foundations/base/translation.h"
 #include "core/theory/ttgraph/wording.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 std::string wordText(const AxisLevels& levels, const std::vector<WalkStretch>& walk,
@@ -146,4 +146,4 @@ TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree
   return result;
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -9,7 +9,7 @@
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/ttgraph/axis_levels.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// A stretch of a mesh's walk through the tree branches, all on one level.
 struct WalkStretch {
@@ -67,4 +67,4 @@ struct TransferVertices {
 [[nodiscard]] TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree,
                                                 const AxisLevels& levels);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -6,7 +6,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/theory/ttgraph/mesh_sign.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 std::optional<int> signFromPlaces(const MeshPose& pose,
@@ -73,11 +73,11 @@ void TtGraph::addHeld(const Mechanism& mechanism, const ReferenceLines& lines) {
     if (length(cross(one->direction, two->direction)) >= kSameLine) return 0;
     return dot(one->direction, two->direction) < 0 ? -1 : 1;
   };
-  for (const CouplingId id : mechanism.engaged) {
+  for (const ShiftElementId id : mechanism.engaged) {
     const int position = couplings.at(id);
-    const Coupling& coupling = mechanism.couplings[position];
+    const ShiftElement& coupling = mechanism.couplings[position];
     const LinkOrdinal link = links.at(coupling.links.front());
-    const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
+    const int against = coupling.kind == ShiftElementKind::brake ? 0 : links.at(coupling.links.back());
     const std::size_t first = m_held.size();
     std::vector<int> levels;  // of the circuits from `first` on
     for (const PathStep& step : treePath(*m_tree, link, against)) {
@@ -144,4 +144,4 @@ void TtGraph::writeCircuits() const {
   }
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

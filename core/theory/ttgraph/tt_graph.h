@@ -11,7 +11,7 @@
 #include "core/theory/ttgraph/axis_levels.h"
 #include "core/theory/ttgraph/transfer_vertices.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The terminal graph of one mesh: two chords, gear i - carrier k and gear j - carrier k, marked by the same
 /// number of primes [AU, Fig. 4(b), Fig. 6], and its terminal equation [AU, Eqs. (26)-(30)]
@@ -38,7 +38,7 @@ struct CircuitTerm {
 /// ground, or to the other link of a clutch. Its fundamental circuit gives one equation for each direction of
 /// axes on the path: the sum of the branches there is 0.
 struct HeldCircuit {
-  CouplingOrdinal coupling = 0;  ///< position in the document
+  ShiftElementOrdinal coupling = 0;  ///< position in the document
   std::vector<CircuitTerm> terms;
 };
 
@@ -115,4 +115,4 @@ class TtGraph {
   std::shared_ptr<Circuits> m_circuits = std::make_shared<Circuits>();
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

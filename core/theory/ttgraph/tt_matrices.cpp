@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 TtChordOf TtMatrices::chord(int chord) const {
   const int ofMeshes = 2 * m_graph->graph().c();
@@ -57,4 +57,4 @@ std::vector<TtEntry> TtMatrices::cutset(int branch) const {
   return entries;
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

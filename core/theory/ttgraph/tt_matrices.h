@@ -4,7 +4,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// A nonzero entry: +1 or -1.
 struct TtEntry {
@@ -56,4 +56,4 @@ class TtMatrices {
   const TtGraph* m_graph;
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -5,7 +5,7 @@
 #include "core/theory/ttgraph/symbolic_system.h"
 #include "core/theory/ttgraph/tt_system.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 /// Solves the equations in this arithmetic, by circuits or where they are too long by levels, and gives the
@@ -47,11 +47,11 @@ RateMatrix<Value> shapeOf(const SubstitutionPlan& plan) {
 
 std::optional<TtDetermination> ttDetermination(const TtGraph& graph, const SubstitutionPlan& plan,
                                                const std::stop_token& stop) {
-  const FusedField field;
+  const ModularDoubleField field;
   // One draw of random input rates stands for all: a relation among them holds there by chance only.
   ResidueStream residues(field.prime(), 26);
-  std::vector<Fused> inputs(plan.inputs.size());
-  for (Fused& input : inputs) input = {1, residues.next()};
+  std::vector<ModularDouble> inputs(plan.inputs.size());
+  for (ModularDouble& input : inputs) input = {1, residues.next()};
   TtDetermination result;
   const bool done = withSystem(field, graph, plan, stop, [&](const auto& system) {
     result = {system.openJoints(), !system.solve(inputs).second, system.surplusEquations()};
@@ -66,9 +66,10 @@ std::optional<std::vector<Rational>> ttRates(const TtGraph& graph, const Substit
   return ratesIn(RationalField(), graph, plan, inputRates, stop);
 }
 
-std::optional<std::vector<Fused>> ttRates(const FusedField& field, const TtGraph& graph,
-                                          const SubstitutionPlan& plan, std::span<const Fused> inputRates,
-                                          const std::stop_token& stop) {
+std::optional<std::vector<ModularDouble>> ttRates(const ModularDoubleField& field, const TtGraph& graph,
+                                                  const SubstitutionPlan& plan,
+                                                  std::span<const ModularDouble> inputRates,
+                                                  const std::stop_token& stop) {
   return ratesIn(field, graph, plan, inputRates, stop);
 }
 
@@ -133,4 +134,4 @@ RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming) {
   return std::make_shared<const RatioRing>(std::move(names), std::move(teeth));
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

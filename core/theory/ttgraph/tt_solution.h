@@ -9,7 +9,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// Joint rates as a matrix over the input rates [AU, Eqs. (43), (45)]: outputs x inputs.
 ///
@@ -46,10 +46,11 @@ struct TtDetermination {
                                                            std::span<const Rational> inputRates,
                                                            const std::stop_token& stop = {});
 /// The same in doubles with their residues modulo a prime, so that zeros are exact; fast enough for dragging.
-[[nodiscard]] std::optional<std::vector<Fused>> ttRates(const FusedField& field, const TtGraph& graph,
-                                                        const SubstitutionPlan& plan,
-                                                        std::span<const Fused> inputRates,
-                                                        const std::stop_token& stop = {});
+[[nodiscard]] std::optional<std::vector<ModularDouble>> ttRates(const ModularDoubleField& field,
+                                                                const TtGraph& graph,
+                                                                const SubstitutionPlan& plan,
+                                                                std::span<const ModularDouble> inputRates,
+                                                                const std::stop_token& stop = {});
 
 /// The whole matrix, exact; `determined` is false if the inputs are not valid. std::nullopt if `stop` was
 /// requested. Cost: that of ttRates() for each input.
@@ -72,4 +73,4 @@ enum class RatioNaming { matroid, ttGraph };  ///< i15, or n41 [AU, Eq. (44)]
 /// The ring of the graph's ratios under these names, with their values.
 [[nodiscard]] RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

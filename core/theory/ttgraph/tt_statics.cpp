@@ -6,7 +6,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/foundations/exact/fields.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 namespace {
 
 /// The equations by cutset, or by link where cutsets along a level are subtracted from each other. The
@@ -157,4 +157,4 @@ std::optional<TtTorques> ttTorques(const TtGraph& graph, std::span<const TtChord
   return result;
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

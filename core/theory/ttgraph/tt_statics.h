@@ -9,7 +9,7 @@
 #include "core/foundations/exact/radical_columns.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 // Statics by the T-T graph's own terminal equations and cutsets, without the coefficient matrix.
 //
@@ -59,4 +59,4 @@ struct TtTorques {
                                                  const std::stop_token& stop = {},
                                                  long long mostTerms = kMaxCircuitTerms);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

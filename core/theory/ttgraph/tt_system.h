@@ -10,7 +10,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// Equations and columns that a system leaves out.
 struct LeftOut {
@@ -188,4 +188,4 @@ struct TeethWeights {
   }
 };
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

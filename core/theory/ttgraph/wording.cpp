@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 std::string countInWords(int count) {
   constexpr std::array<const char*, 13> kWords = {
@@ -17,4 +17,4 @@ std::string countInWords(int count) {
              : std::to_string(count);
 }
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

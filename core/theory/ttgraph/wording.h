@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace geargraph::inline ttgraph {
+namespace geargraph {
 
 /// The most names that one sentence about axes and transfer vertices lists.
 constexpr std::size_t kMaxNames = 8;
@@ -10,4 +10,4 @@ constexpr std::size_t kMaxNames = 8;
 /// "three" up to twelve, digits beyond.
 [[nodiscard]] std::string countInWords(int count);
 
-}  // namespace geargraph::inline ttgraph
+}  // namespace geargraph

@@ -10,7 +10,7 @@
 #include "core/mechanism/placement/planet_groups.h"
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph::inline vibration {
+namespace geargraph {
 namespace {
 
 /// phi of every link, by link; 0 for the ground, which stands for a root link (kinematic_model.h).
@@ -207,4 +207,4 @@ std::vector<FrequencyLine> frequencyLines(const Mechanism& mechanism, const Plac
   return LineMaker(mechanism, placement, model, motion, reference, options).make();
 }
 
-}  // namespace geargraph::inline vibration
+}  // namespace geargraph

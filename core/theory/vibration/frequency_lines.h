@@ -11,7 +11,7 @@
 #include "core/mechanism/placement/placement.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph::inline vibration {
+namespace geargraph {
 
 /// What repeats at a frequency. P. D. McFadden, J. D. Smith, Proc. IMechE 199 C1, 1985, 65-70 (planetary
 /// sets); R. B. Randall, Vibration-based Condition Monitoring, 2011 (hunting tooth).
@@ -77,4 +77,4 @@ struct FrequencyMotion {
     const Mechanism& mechanism, const Placement& placement, const KinematicModel& model,
     const FrequencyMotion& motion, const Rational& reference, const FrequencyOptions& options = {});
 
-}  // namespace geargraph::inline vibration
+}  // namespace geargraph

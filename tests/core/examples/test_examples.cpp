@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/validate.h"
@@ -172,9 +172,9 @@ class ExamplesTest : public QObject {
         }
         return Rational(0);
       };
-      for (const CouplingId engaged : gearbox.states[i].engaged) {
-        const Coupling& coupling = *gearbox.find(engaged);
-        const Rational held = coupling.kind == CouplingKind::brake ? 0 : speedOf(coupling.links[1]);
+      for (const ShiftElementId engaged : gearbox.states[i].engaged) {
+        const ShiftElement& coupling = *gearbox.find(engaged);
+        const Rational held = coupling.kind == ShiftElementKind::brake ? 0 : speedOf(coupling.links[1]);
         QCOMPARE(speedOf(coupling.links[0]).toString(), held.toString());
       }
       const Rational ratio = speedOf(*gearbox.states[i].drive) / speedOf(*gearbox.states[i].driven);

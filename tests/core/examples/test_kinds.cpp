@@ -5,13 +5,13 @@
 #include <set>
 #include <utility>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/solids/solid.h"
 #include "core/mechanism/document_format/file_version.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/patch.h"
 #include "core/presentation/drawing/svg_writer.h"

@@ -69,7 +69,7 @@ class Names {
 
  private:
   template <class List>
-  void add(ElementKind kind, const List& list, const std::vector<Atom>& ids) {
+  void add(ElementKind kind, const List& list, const std::vector<InternedString>& ids) {
     for (std::size_t i = 0; i < ids.size(); ++i) m_names[{kind, ids[i].text()}] = list[i].id.text();
   }
   std::map<std::pair<ElementKind, std::string>, std::string> m_names;

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <random>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/machine/solids/solid.h"
 #include "core/machine/train/train.h"
 #include "core/mechanism/document_format/file_version.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_table.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
@@ -465,12 +465,12 @@ class TransmissionsTest : public QObject {
   void aStateIsEngagedWithItsFreewheels() {
     const auto direct = withStateEngaged(overdrive(), 0);
     QVERIFY(direct);
-    QVERIFY(direct->engaged == std::vector{CouplingId("F")});
+    QVERIFY(direct->engaged == std::vector{ShiftElementId("F")});
     const SnapshotPtr snapshot = snapshotOf(*direct);
     QVERIFY(!hasErrors(snapshot->diagnostics) && snapshot->solved->agreement->equal);
     QCOMPARE(snapshot->solved->exact->rates[1], snapshot->solved->exact->rates[2]);
     const auto high = withStateEngaged(overdrive(), 1);
-    QVERIFY(high && high->engaged == std::vector{CouplingId("B")});
+    QVERIFY(high && high->engaged == std::vector{ShiftElementId("B")});
     QVERIFY(!hasCode(snapshotOf(*high)->diagnostics, "freewheel-direction"));
   }
 
@@ -479,7 +479,7 @@ class TransmissionsTest : public QObject {
     for (Input& input : *hub.inputs) input.speed = Number(-1);
     QVERIFY(hasCode(snapshotOf(hub)->diagnostics, "freewheel-direction"));
     Mechanism listed = overdrive();
-    listed.states[0].engaged.push_back(CouplingId("F"));
+    listed.states[0].engaged.push_back(ShiftElementId("F"));
     QVERIFY(!wellFormedDiagnostics(listed).empty());
   }
 };

@@ -7,9 +7,9 @@
 namespace geargraph::test {
 
 /// The codes of the diagnostics, in order.
-inline std::vector<base::Code> codesOf(const std::vector<base::Diagnostic>& diagnostics) {
-  std::vector<base::Code> codes;
-  for (const base::Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
+inline std::vector<Code> codesOf(const std::vector<Diagnostic>& diagnostics) {
+  std::vector<Code> codes;
+  for (const Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
   return codes;
 }
 

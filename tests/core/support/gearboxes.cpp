@@ -12,11 +12,11 @@ LinkId link(int number) {
 }  // namespace
 
 void addBrake(Mechanism& mechanism, const char* id, int of) {
-  mechanism.couplings.push_back({CouplingId(id), CouplingKind::brake, {link(of)}, {}});
+  mechanism.couplings.push_back({ShiftElementId(id), ShiftElementKind::brake, {link(of)}, {}});
 }
 
 void addClutch(Mechanism& mechanism, const char* id, int one, int other) {
-  mechanism.couplings.push_back({CouplingId(id), CouplingKind::clutch, {link(one), link(other)}, {}});
+  mechanism.couplings.push_back({ShiftElementId(id), ShiftElementKind::clutch, {link(one), link(other)}, {}});
 }
 
 void addState(Mechanism& mechanism, const char* name, const std::vector<const char*>& engaged, int drive,

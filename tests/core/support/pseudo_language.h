@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph::test {
 

@@ -57,7 +57,7 @@ struct StaticsCase : Worked {
     for (std::size_t part = 0; part < solution.held.size(); ++part) {
       const HeldPart& held = solution.held[part];
       if (held.coupling < 0 || !held.isMain) continue;
-      if (mechanism.couplings[static_cast<std::size_t>(held.coupling)].id == CouplingId(id))
+      if (mechanism.couplings[static_cast<std::size_t>(held.coupling)].id == ShiftElementId(id))
         return solution.values[static_cast<std::size_t>(model.c()) + part];
     }
     throw std::logic_error("no such coupling");

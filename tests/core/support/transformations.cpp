@@ -36,12 +36,14 @@ Transformation renamed(Mechanism mechanism) {
   Transformation result;
   result.name = "other ids";
   int next = 0;
-  const auto fresh = [&](Atom id) { return Atom("<" + std::to_string(next++) + "> " + id.text()); };
+  const auto fresh = [&](InternedString id) {
+    return InternedString("<" + std::to_string(next++) + "> " + id.text());
+  };
   for (const Link& link : mechanism.links) result.linkIds.push_back(fresh(link.id.atom()));
   for (const Axis& axis : mechanism.axes) result.axisIds.push_back(fresh(axis.id.atom()));
   for (const TurningJoint& joint : mechanism.turningJoints) result.jointIds.push_back(fresh(joint.id.atom()));
   for (const GearMesh& mesh : mechanism.gearMeshes) result.meshIds.push_back(fresh(mesh.id.atom()));
-  const auto rename = [](auto& id, const auto& list, const std::vector<Atom>& ids) {
+  const auto rename = [](auto& id, const auto& list, const std::vector<InternedString>& ids) {
     const auto at = std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.id == id; });
     id = std::decay_t<decltype(id)>(ids[static_cast<std::size_t>(at - list.begin())]);
   };
@@ -59,7 +61,7 @@ Transformation renamed(Mechanism mechanism) {
     rename(mesh.id, before.gearMeshes, result.meshIds);
   }
   for (Wheel& wheel : mechanism.wheels) link(wheel.link);
-  for (Coupling& coupling : mechanism.couplings)
+  for (ShiftElement& coupling : mechanism.couplings)
     for (LinkId& id : coupling.links) link(id);
   for (ShiftState& state : mechanism.states) {
     if (state.drive) link(*state.drive);

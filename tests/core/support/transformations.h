@@ -19,10 +19,10 @@ struct Transformation {
   Rational length = 1;          ///< factor of lengths
   /// By joint of the original: -1 where its rate changes its sign; empty: none does.
   std::vector<int> jointSigns = {};
-  std::vector<Atom> linkIds = {};  ///< by link of the original: its id here; empty: as there
-  std::vector<Atom> axisIds = {};
-  std::vector<Atom> jointIds = {};
-  std::vector<Atom> meshIds = {};
+  std::vector<InternedString> linkIds = {};  ///< by link of the original: its id here; empty: as there
+  std::vector<InternedString> axisIds = {};
+  std::vector<InternedString> jointIds = {};
+  std::vector<InternedString> meshIds = {};
 };
 
 /// Every length times `factor`: places, offsets, widths, bores. Exact.

@@ -38,7 +38,7 @@ QAction* entry(const QMenu& menu, const QString& text) {
   return nullptr;
 }
 
-std::unique_ptr<QMenu> menuAt(ViewDriver& d, SheetPoint at) {
+std::unique_ptr<QMenu> menuAt(ViewDriver& d, CanvasPoint at) {
   return std::unique_ptr<QMenu>(d.view.contextMenuAt(d.onScreen(at)));
 }
 
@@ -149,7 +149,7 @@ class TestDigraphCommands : public QObject {
     d.click(d.center(3));
     d.key(Qt::Key_Right);
     d.key(Qt::Key_Up, Qt::ShiftModifier);
-    QCOMPARE(d.center(3), (SheetPoint{670, 159}));
+    QCOMPARE(d.center(3), (CanvasPoint{670, 159}));
     QCOMPARE(d.steps(), 2);
   }
 
@@ -160,7 +160,7 @@ class TestDigraphCommands : public QObject {
       QKeyEvent event(QEvent::KeyPress, Qt::Key_Down, Qt::NoModifier, {}, i > 0);
       QCoreApplication::sendEvent(&d.view, &event);
     }
-    QCOMPARE(d.center(3), (SheetPoint{660, 210}));
+    QCOMPARE(d.center(3), (CanvasPoint{660, 210}));
     QCOMPARE(d.steps(), 1);
   }
 
@@ -253,14 +253,14 @@ class TestDigraphCommands : public QObject {
     entry(*menuAt(d, d.center(3)), "Hold it")->trigger();
     QCOMPARE(d.mechanism().couplings.size(), std::size_t{1});
     QCOMPARE(d.mechanism().couplings[0].links, std::vector<LinkId>{LinkId("3")});
-    QCOMPARE(d.mechanism().couplings[0].kind, CouplingKind::brake);
-    QCOMPARE(d.mechanism().engaged, std::vector{CouplingId("A")});  // it holds
+    QCOMPARE(d.mechanism().couplings[0].kind, ShiftElementKind::brake);
+    QCOMPARE(d.mechanism().engaged, std::vector{ShiftElementId("A")});  // it holds
     d.selection.select({LinkId("2"), LinkId("5")});
     entry(*menuAt(d, d.center(5)), "Connect link 2 and link 5")->trigger();
-    QCOMPARE(d.mechanism().couplings[1].kind, CouplingKind::clutch);
+    QCOMPARE(d.mechanism().couplings[1].kind, ShiftElementKind::clutch);
     QCOMPARE(d.steps(), 2);
     entry(*menuAt(d, d.center(3)), "Release brake A")->trigger();
-    QCOMPARE(d.mechanism().engaged, std::vector{CouplingId("B")});
+    QCOMPARE(d.mechanism().engaged, std::vector{ShiftElementId("B")});
     QVERIFY(entry(*menuAt(d, d.center(3)), "Engage brake A")->isEnabled());
     d.selection.select({LinkId("2"), LinkId("5")});
     entry(*menuAt(d, d.center(5)), "Take clutch B off")->trigger();
@@ -342,7 +342,7 @@ class TestDigraphCommands : public QObject {
 
   void menuOfTheSheetMakesLinksAndTidies() {
     ViewDriver d(placedRobot());
-    const SheetPoint at{40, 40};
+    const CanvasPoint at{40, 40};
     const auto menu = menuAt(d, at);
     QCOMPARE(entries(*menu),
              (QStringList{"New link here", "New note here", "Select all", "Tidy the drawing", "Fit"}));
@@ -357,7 +357,7 @@ class TestDigraphCommands : public QObject {
   void aLinkThatNothingCarriesCannotBeDriven() {
     ViewDriver d;
     d.key(Qt::Key_L);
-    d.click(d.center(0) + SheetPoint{120, 0});
+    d.click(d.center(0) + CanvasPoint{120, 0});
     QVERIFY(entries(*menuAt(d, d.center(1))).contains("[Drive it (no turning joint carries it yet)]"));
   }
 

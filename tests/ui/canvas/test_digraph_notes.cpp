@@ -12,7 +12,7 @@ using namespace geargraph;
 
 namespace {
 
-constexpr SheetPoint kEmpty{300, 480};
+constexpr CanvasPoint kEmpty{300, 480};
 
 NoteEditor* editorOf(const ViewDriver& d) {
   for (auto* editor : d.view.viewport()->findChildren<NoteEditor*>()) {
@@ -26,7 +26,7 @@ void type(NoteEditor& editor, const QString& text, Qt::Key end = Qt::Key_Return)
   QTest::keyClick(&editor, end);
 }
 
-const std::vector<SheetNote>& notesOf(const ViewDriver& d) {
+const std::vector<CanvasNote>& notesOf(const ViewDriver& d) {
   return d.mechanism().view.notes;
 }
 
@@ -155,15 +155,15 @@ class TestDigraphNotes : public QObject {
 
   void itMovesWithLinksThatAreSelected() {
     ViewDriver d(noted());
-    const SheetPoint link = d.center(3);
+    const CanvasPoint link = d.center(3);
     d.click(d.center(3));
     d.click(kEmpty, Qt::ShiftModifier);
-    d.drag(link, link + SheetPoint{60, 0}, Qt::AltModifier);
+    d.drag(link, link + CanvasPoint{60, 0}, Qt::AltModifier);
     QVERIFY(std::abs(notesOf(d)[0].at.x - kEmpty.x - 60) < 2);
     QVERIFY(std::abs(d.center(3).x - link.x - 60) < 2);
     QCOMPARE(d.steps(), 1);
     d.press(d.center(3));
-    d.move(d.center(3) + SheetPoint{50, 50});
+    d.move(d.center(3) + CanvasPoint{50, 50});
     d.key(Qt::Key_Escape);
     QCOMPARE(d.steps(), 1);  // both are back
   }

@@ -14,7 +14,7 @@ const Qt::KeyboardModifiers kAlt = Qt::AltModifier;
 void drawRobot(ViewDriver& d) {
   const NodePositions places = robotPositions();
   // The ground stands in the middle of an empty sheet; the others lie around it.
-  const SheetPoint origin = d.center(0) - places.at(LinkId("0")) + SheetPoint{-180, 0};
+  const CanvasPoint origin = d.center(0) - places.at(LinkId("0")) + CanvasPoint{-180, 0};
   const auto place = [&](int link) { return origin + places.at(LinkId(std::to_string(link))); };
   d.drag(d.center(0), place(0), kAlt);
   d.key(Qt::Key_L);
@@ -98,7 +98,7 @@ class TestDigraphView : public QObject {
     const QRect message(100, d.view.height() / 2 + 55, d.view.width() - 200, 40);
     QVERIFY(inkedPixels(d.view, message) > 100);
     d.key(Qt::Key_L);
-    d.click(d.center(0) + SheetPoint{100, 0});
+    d.click(d.center(0) + CanvasPoint{100, 0});
     QCOMPARE(inkedPixels(d.view, message), 0);
   }
 
@@ -123,11 +123,11 @@ class TestDigraphView : public QObject {
     const MechanismPtr before = d.document.mechanism();
     d.drag(d.center(3), {700, 90}, kAlt);
     QCOMPARE(d.steps(), 1);
-    QCOMPARE(d.mechanism().view.nodes.at(LinkId("3")), (SheetPoint{700, 90}));
+    QCOMPARE(d.mechanism().view.nodes.at(LinkId("3")), (CanvasPoint{700, 90}));
     d.drag(d.center(3), {710, 40}, kAlt);
     QCOMPARE(d.steps(), 2);
     d.document.undoStack().undo();
-    QCOMPARE(d.mechanism().view.nodes.at(LinkId("3")), (SheetPoint{700, 90}));
+    QCOMPARE(d.mechanism().view.nodes.at(LinkId("3")), (CanvasPoint{700, 90}));
     d.document.undoStack().undo();
     QCOMPARE(d.document.mechanism(), before);
   }
@@ -136,10 +136,10 @@ class TestDigraphView : public QObject {
     ViewDriver d(placedRobot());
     d.click(d.center(3));
     d.click(d.center(7), Qt::ShiftModifier);
-    d.drag(d.center(7), d.center(7) + SheetPoint{31, 17}, kAlt);
-    QCOMPARE(d.center(7), (SheetPoint{691, 357}));
-    QCOMPARE(d.center(3), (SheetPoint{691, 177}));
-    QCOMPARE(d.center(2), (SheetPoint{470, 250}));
+    d.drag(d.center(7), d.center(7) + CanvasPoint{31, 17}, kAlt);
+    QCOMPARE(d.center(7), (CanvasPoint{691, 357}));
+    QCOMPARE(d.center(3), (CanvasPoint{691, 177}));
+    QCOMPARE(d.center(2), (CanvasPoint{470, 250}));
     QCOMPARE(d.steps(), 1);
   }
 
@@ -163,15 +163,15 @@ class TestDigraphView : public QObject {
     QCOMPARE(d.center(3).x, 470.0);
     d.drag(d.center(3), {500, 103});
     d.drag(d.center(3), {473, 103}, kAlt);
-    QCOMPARE(d.center(3), (SheetPoint{473, 103}));
+    QCOMPARE(d.center(3), (CanvasPoint{473, 103}));
   }
 
   void linksWithoutPlacesAreShownAndKeepTheirPlaceWhenOneMoves() {
     Mechanism robot = placedRobot();
     robot.view.nodes.erase(LinkId("7"));
     ViewDriver d(robot);
-    const SheetPoint found = d.center(7);
-    QVERIFY(found != SheetPoint());
+    const CanvasPoint found = d.center(7);
+    QVERIFY(found != CanvasPoint());
     d.drag(d.center(3), {700, 60}, kAlt);
     QCOMPARE(d.center(7), found);
     QVERIFY(d.mechanism().view.nodes.at(LinkId("7")) == found);
@@ -341,7 +341,7 @@ class TestDigraphView : public QObject {
     d.drag({400, 50}, {430, 90}, {}, Qt::MiddleButton);
     QCOMPARE(d.onScreen(d.center(3)) - start, QPoint(30, 40));
     QTest::keyPress(&d.view, Qt::Key_Space);
-    d.drag(d.center(1), d.center(1) + SheetPoint{-20, 10});
+    d.drag(d.center(1), d.center(1) + CanvasPoint{-20, 10});
     QTest::keyRelease(&d.view, Qt::Key_Space);
     QCOMPARE(d.onScreen(d.center(3)) - start, QPoint(10, 50));
     QCOMPARE(d.steps(), 0);
@@ -385,7 +385,7 @@ class TestDigraphView : public QObject {
     NodePositions moved = places;
     for (int i = 1; i <= 5; ++i) {
       const LinkId link = d.link(100 * i);
-      const SheetPoint to{37.0 * i, -90.0 * i};
+      const CanvasPoint to{37.0 * i, -90.0 * i};
       moved[link] = to;
       const auto edit = [&](const Mechanism& m) -> Expected<Mechanism> {
         Mechanism placed = m;
@@ -438,7 +438,7 @@ class TestDigraphView : public QObject {
     const QRectF before = static_cast<DrawingScene*>(d.view.scene())->drawnRect();
     const auto edit = [](const Mechanism& m) -> Expected<Mechanism> {
       Mechanism moved = m;
-      for (auto& [link, place] : moved.view.nodes) place = place + SheetPoint{300, 700};
+      for (auto& [link, place] : moved.view.nodes) place = place + CanvasPoint{300, 700};
       return moved;
     };
     QVERIFY(d.document.apply({QStringLiteral("Move"), edit, 0}));

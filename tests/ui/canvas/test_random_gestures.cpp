@@ -61,7 +61,7 @@ class Monkey {
   }
 
   /// On a link or an arrow, mostly; else anywhere on the sheet.
-  SheetPoint somewhere() {
+  CanvasPoint somewhere() {
     const std::vector<Outline>& outlines = m_driver.view.displayList().outlines;
     if (below(4) == 0 || outlines.empty()) {
       return {static_cast<double>(below(900)) - 450, static_cast<double>(below(600)) - 300};
@@ -78,7 +78,7 @@ class Monkey {
 
   /// The document or the tool changes while the button is down.
   void interruptedDrag() {
-    const SheetPoint end = somewhere();
+    const CanvasPoint end = somewhere();
     m_driver.press(somewhere());
     m_driver.move(somewhere());
     switch (below(4)) {

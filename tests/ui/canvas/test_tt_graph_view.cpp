@@ -69,10 +69,10 @@ class TestTtGraphView : public QObject {
   void draggedNodeIsOneUndoStepAndLeavesTheDigraphAlone() {
     TtDriver d(robot());
     const NodePositions digraph = d.mechanism().view.nodes;
-    const SheetPoint from = d.center(3);
-    d.drag(from, from + SheetPoint{150, 60}, Qt::AltModifier);
+    const CanvasPoint from = d.center(3);
+    d.drag(from, from + CanvasPoint{150, 60}, Qt::AltModifier);
     QCOMPARE(d.steps(), 1);
-    QVERIFY(distance(d.center(3), from + SheetPoint{150, 60}) < 3);  // the mouse moves by pixels
+    QVERIFY(distance(d.center(3), from + CanvasPoint{150, 60}) < 3);  // the mouse moves by pixels
     QCOMPARE(d.mechanism().view.ttNodes.size(), std::size_t{1});
     QVERIFY(d.mechanism().view.nodes == digraph);
     d.document.undoStack().undo();
@@ -82,8 +82,8 @@ class TestTtGraphView : public QObject {
 
   void tidyGivesNodesBackToTheLayout() {
     TtDriver d(robot());
-    const SheetPoint from = d.center(3);
-    d.drag(from, from + SheetPoint{150, 60});
+    const CanvasPoint from = d.center(3);
+    d.drag(from, from + CanvasPoint{150, 60});
     d.view.tidy();
     QCOMPARE(d.center(3), from);
     QCOMPARE(d.steps(), 2);
@@ -124,7 +124,7 @@ class TestTtGraphView : public QObject {
   void newLinkStandsWhereItWasClicked() {
     TtDriver d(robot());
     d.view.setTool(ToolKind::link);
-    const SheetPoint at = d.center(0) + SheetPoint{-260, 20};
+    const CanvasPoint at = d.center(0) + CanvasPoint{-260, 20};
     d.click(at);
     QCOMPARE(d.mechanism().n(), 8);
     QCOMPARE(d.mechanism().view.ttNodes.size(), std::size_t{1});
@@ -135,8 +135,8 @@ class TestTtGraphView : public QObject {
 
   void aDeletedLinkLeavesNoPlaceBehind() {
     TtDriver d(robot());
-    d.drag(d.center(3), d.center(3) + SheetPoint{150, 60});
-    d.drag(d.center(4), d.center(4) + SheetPoint{-80, 0});
+    d.drag(d.center(3), d.center(3) + CanvasPoint{150, 60});
+    d.drag(d.center(4), d.center(4) + CanvasPoint{-80, 0});
     d.selection.select({LinkId("3")});
     d.view.deleteSelected();
     QVERIFY(!d.mechanism().view.ttNodes.contains(LinkId("3")));

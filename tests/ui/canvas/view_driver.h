@@ -11,7 +11,7 @@ namespace geargraph {
 
 /// The places that the target drawing gives the robot's links.
 inline NodePositions robotPositions() {
-  const std::array<SheetPoint, 8> places{
+  const std::array<CanvasPoint, 8> places{
       {{130, 330}, {300, 330}, {470, 250}, {660, 160}, {130, 190}, {300, 140}, {470, 400}, {660, 340}}};
   NodePositions positions;
   for (std::size_t i = 0; i < places.size(); ++i) positions[LinkId(std::to_string(i))] = places[i];
@@ -42,7 +42,7 @@ struct DriverOf {
 
   [[nodiscard]] const Mechanism& mechanism() const { return *document.mechanism(); }
   [[nodiscard]] LinkId link(int label) const { return mechanism().links[static_cast<std::size_t>(label)].id; }
-  [[nodiscard]] SheetPoint center(int label) const {
+  [[nodiscard]] CanvasPoint center(int label) const {
     for (const Outline& outline : view.displayList().outlines) {
       const auto* disc = std::get_if<Circle>(&outline.shape);
       if (disc != nullptr && outline.element == ElementId(link(label))) return disc->center;
@@ -50,34 +50,34 @@ struct DriverOf {
     return {};
   }
   /// The middle of an arrow.
-  [[nodiscard]] SheetPoint middle(const ElementId& arrow) const {
+  [[nodiscard]] CanvasPoint middle(const ElementId& arrow) const {
     for (const Outline& outline : view.displayList().outlines) {
       const auto* curve = std::get_if<Curve>(&outline.shape);
       if (curve != nullptr && outline.element == arrow) return curve->at(0.5);
     }
     return {};
   }
-  [[nodiscard]] QPoint onScreen(SheetPoint p) const { return view.mapFromScene(QPointF(p.x, p.y)); }
+  [[nodiscard]] QPoint onScreen(CanvasPoint p) const { return view.mapFromScene(QPointF(p.x, p.y)); }
 
-  void press(SheetPoint at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
+  void press(CanvasPoint at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
     QTest::mousePress(view.viewport(), button, keys, onScreen(at));
   }
-  void move(SheetPoint at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
+  void move(CanvasPoint at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
     moveOnScreen(onScreen(at), keys, button);
   }
   void moveOnScreen(QPoint at, Qt::KeyboardModifiers keys, Qt::MouseButton button) {
     QMouseEvent event(QEvent::MouseMove, at, view.viewport()->mapToGlobal(at), Qt::NoButton, button, keys);
     QCoreApplication::sendEvent(view.viewport(), &event);
   }
-  void release(SheetPoint at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
+  void release(CanvasPoint at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
     QTest::mouseRelease(view.viewport(), button, keys, onScreen(at));
   }
-  void hover(SheetPoint at) { move(at, {}, Qt::NoButton); }
-  void click(SheetPoint at, Qt::KeyboardModifiers keys = {}) {
+  void hover(CanvasPoint at) { move(at, {}, Qt::NoButton); }
+  void click(CanvasPoint at, Qt::KeyboardModifiers keys = {}) {
     press(at, keys);
     release(at, keys);
   }
-  void drag(SheetPoint from, SheetPoint to, Qt::KeyboardModifiers keys = {},
+  void drag(CanvasPoint from, CanvasPoint to, Qt::KeyboardModifiers keys = {},
             Qt::MouseButton button = Qt::LeftButton) {
     // Screen points now: panning moves the sheet meanwhile.
     const QPoint end = onScreen(to);

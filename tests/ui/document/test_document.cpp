@@ -15,7 +15,7 @@ namespace {
 Edit addLink(quint64 gesture = 0) {
   return {QStringLiteral("Add link"),
           [](const Mechanism& mechanism) {
-            return withLink(mechanism, SheetPoint{10, 20});
+            return withLink(mechanism, CanvasPoint{10, 20});
           },
           gesture};
 }
@@ -23,7 +23,7 @@ Edit addLink(quint64 gesture = 0) {
 Edit moveGround(double x, quint64 gesture) {
   return {QStringLiteral("Move"),
           [x](const Mechanism& mechanism) {
-            const std::pair<LinkId, SheetPoint> moved[] = {{mechanism.links.front().id, SheetPoint{x, 0}}};
+            const std::pair<LinkId, CanvasPoint> moved[] = {{mechanism.links.front().id, CanvasPoint{x, 0}}};
             return withNodesMoved(mechanism, moved);
           },
           gesture};
@@ -300,7 +300,7 @@ class DocumentTest : public QObject {
     Document document;
     bool isTaken = true;
     connect(&document, &Document::changed, this, [&] { isTaken = document.apply(moveGround(7, 0)); });
-    document.replace(withLink(emptyMechanism(), SheetPoint{10, 20}).value(), {});
+    document.replace(withLink(emptyMechanism(), CanvasPoint{10, 20}).value(), {});
     QVERIFY(!isTaken);
     QCoreApplication::processEvents();
     QVERIFY(!document.undoStack().canUndo());

@@ -45,7 +45,7 @@ class RandomEditsTest : public QObject {
     const LinkId b = oneOf(m.links).id;
     switch (below(5)) {
       case 0:
-        return [at = SheetPoint{double(below(900)), double(below(600))}](const Mechanism& before) {
+        return [at = CanvasPoint{double(below(900)), double(below(600))}](const Mechanism& before) {
           return withLink(before, at, "new");
         };
       case 1:
@@ -82,7 +82,7 @@ class RandomEditsTest : public QObject {
           return withName(before, axis, name);
         };
       case 3:
-        return [link, at = SheetPoint{double(below(900)), 0.5}](const Mechanism& before) {
+        return [link, at = CanvasPoint{double(below(900)), 0.5}](const Mechanism& before) {
           return withNodesMoved(before, std::array{std::pair(LinkId(link.id), at)});
         };
       case 4:

@@ -14,7 +14,8 @@ inline Mechanism loadedSet(int planets = 1) {
   Mechanism mechanism = test::planetary(24, 18, planets);
   mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(100), {}},
                                         {mechanism.turningJoints[1].id, Number(0), {}}};
-  mechanism.balances = std::vector<Balance>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
+  mechanism.balances =
+      std::vector<HoldingTorque>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
   mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[0].id, Number(10)}}};
   return mechanism;
 }

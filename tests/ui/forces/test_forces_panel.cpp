@@ -388,7 +388,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     gearbox.engaged = gearbox.states[0].engaged;
     gearbox.inputs = std::vector<Input>{{gearbox.turningJoints[0].id, Number(1), {}}};
     gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
-    gearbox.balances = std::vector<Balance>{{Balance::OnLink{gearbox.links[2].id, {}}}};
+    gearbox.balances = std::vector<HoldingTorque>{{HoldingTorque::OnLink{gearbox.links[2].id, {}}}};
     open(gearbox);
     panel->showTable(ForceTableKind::couplings);
     QCOMPARE(panel->model().rowCount(), 3);
@@ -447,12 +447,13 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     gearbox.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(2)}}};
     open(gearbox);
     QVERIFY(panel->forces()->diagnostics.empty());
-    gearbox.balances = std::vector<Balance>{{Balance::OnLink{LinkId("1"), {}}}};  // the driven link is free
+    gearbox.balances =
+        std::vector<HoldingTorque>{{HoldingTorque::OnLink{LinkId("1"), {}}}};  // the driven link is free
     open(gearbox);
     const Diagnostics cancelled = panel->forces()->diagnostics;
     QVERIFY(cancelled.size() == 1 && cancelled.front().code == Code::loadOnBalance);
     gearbox.loads.push_back({{}, LinkTorque{LinkId("8"), {}, Number(2)}});
-    gearbox.balances = std::vector<Balance>{};
+    gearbox.balances = std::vector<HoldingTorque>{};
     open(gearbox);
     const Diagnostics& found = panel->forces()->diagnostics;
     QVERIFY(!found.empty() && found.front().code == Code::unbalanced);

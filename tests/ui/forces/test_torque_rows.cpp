@@ -99,14 +99,14 @@ class TorqueRowsTest : public QObject {
     gearbox.engaged = gearbox.states[0].engaged;
     gearbox.inputs = std::vector<Input>{{gearbox.turningJoints[0].id, Number(1), {}}};
     gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
-    gearbox.balances = std::vector<Balance>{{Balance::OnLink{gearbox.links[2].id, {}}}};
+    gearbox.balances = std::vector<HoldingTorque>{{HoldingTorque::OnLink{gearbox.links[2].id, {}}}};
     open(gearbox);
     QCOMPARE(name(0), QStringLiteral("T on link 1"));
     QVERIFY2(name(1).contains(QLatin1String("held by brake A")), qPrintable(name(1)));
     QVERIFY2(value(1).startsWith(QStringLiteral("carries ")) && value(1).endsWith(QStringLiteral(" N m")),
              qPrintable(value(1)));
     find<QToolButton>("torque.1")->click();
-    QVERIFY(selection.isSelected(CouplingId("A")));
+    QVERIFY(selection.isSelected(ShiftElementId("A")));
   }
 
   /// Only what the document itself holds can be let go, in a step that can be undone.
@@ -116,7 +116,8 @@ class TorqueRowsTest : public QObject {
     QVERIFY(find<QToolButton>("letGo.0") == nullptr);  // a load: it is removed
     find<QToolButton>("letGo.2")->click();
     QCOMPARE(document->mechanism()->balances->size(), std::size_t{1});
-    QVERIFY(document->mechanism()->balances->front() == Balance{document->mechanism()->turningJoints[1].id});
+    QVERIFY(document->mechanism()->balances->front() ==
+            HoldingTorque{document->mechanism()->turningJoints[1].id});
     document->undoStack().undo();
     QCOMPARE(document->mechanism()->balances->size(), std::size_t{2});
     // The last one leaves the choice to the program, whose own torques cannot be let go.
@@ -132,13 +133,13 @@ class TorqueRowsTest : public QObject {
     gearbox.engaged = gearbox.states[0].engaged;
     gearbox.inputs = std::vector<Input>{{gearbox.turningJoints[0].id, Number(1), {}}};
     gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
-    gearbox.balances = std::vector<Balance>{{Balance::OnLink{gearbox.links[2].id, {}}}};
+    gearbox.balances = std::vector<HoldingTorque>{{HoldingTorque::OnLink{gearbox.links[2].id, {}}}};
     open(gearbox);
     const auto engaged = document->mechanism()->engaged;
     find<QToolButton>("letGo.1")->click();
     QCOMPARE(document->mechanism()->engaged.size(), engaged.size() - 1);
     QVERIFY(std::find(document->mechanism()->engaged.begin(), document->mechanism()->engaged.end(),
-                      CouplingId("A")) == document->mechanism()->engaged.end());
+                      ShiftElementId("A")) == document->mechanism()->engaged.end());
     document->undoStack().undo();
     QVERIFY(document->mechanism()->engaged == engaged);
   }

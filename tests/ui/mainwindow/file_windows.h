@@ -53,7 +53,7 @@ class FileWindows {
   static void addLink(MainWindow& window) {
     window.document().apply({QStringLiteral("Add link"),
                              [](const Mechanism& mechanism) {
-                               return withLink(mechanism, SheetPoint{90, 300});
+                               return withLink(mechanism, CanvasPoint{90, 300});
                              },
                              0});
   }

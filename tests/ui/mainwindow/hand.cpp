@@ -44,7 +44,7 @@ QPoint Hand::placeOfMesh(int mesh) {
   for (const Outline& outline : m_window.digraph().displayList().outlines) {
     const auto* curve = std::get_if<Curve>(&outline.shape);
     if (curve == nullptr || outline.element != ElementId(id)) continue;
-    const SheetPoint middle = curve->at(0.3);
+    const CanvasPoint middle = curve->at(0.3);
     return m_window.digraph().mapFromScene(QPointF(middle.x, middle.y));
   }
   return {};

@@ -109,7 +109,7 @@ QPoint Person::placeOfJoint(int joint) {
   for (const Outline& outline : m_window.digraph().displayList().outlines) {
     const auto* curve = std::get_if<Curve>(&outline.shape);
     if (curve == nullptr || outline.element != ElementId(id)) continue;
-    const SheetPoint place = curve->at(0.6);
+    const CanvasPoint place = curve->at(0.6);
     return m_window.digraph().mapFromScene(QPointF(place.x, place.y));
   }
   return {};

@@ -16,12 +16,12 @@
 
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/panels/results_panel.h"
-#include "ui/schematic/schematic_view.h"
 #include "ui/theme/in_sight.h"
 #include "ui/view3d/view3d.h"
 

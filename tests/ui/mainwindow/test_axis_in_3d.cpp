@@ -4,8 +4,8 @@
 #include <QMouseEvent>
 #include <QTest>
 
-#include "core/mechanism/fitting/axis_drag.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/axis_drag.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"

@@ -6,9 +6,9 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "tests/ui/mainwindow/readings.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/schematic_view.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/panels/results_panel.h"
-#include "ui/schematic/schematic_view.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -60,7 +60,7 @@ class BrakePreviewTest : public QObject {
     QVERIFY(!window->statusLine().text().startsWith("Preview"));
   }
   /// The ring as the entry's brake holds it: results, and the train in 3D.
-  void verifyHeld(const StagePtr& before) {
+  void verifyHeld(const MechanismScenePtr& before) {
     QTRY_VERIFY(derived()->engaged.size() == 1);
     QTRY_COMPARE(rateOfLink(3), QStringLiteral("0"));
     QTRY_VERIFY(window->view3d().stage() != before);
@@ -70,7 +70,7 @@ class BrakePreviewTest : public QObject {
     const MechanismPtr before = now();
     const QString rate = rateOfLink(3);
     QVERIFY(!rate.isEmpty() && rate != QStringLiteral("0"));
-    const StagePtr stage = window->view3d().stage();
+    const MechanismScenePtr stage = window->view3d().stage();
     QMenu* menu = menuOfLink(view, "3");
     QVERIFY(menu != nullptr && entry(*menu, text) != nullptr);
     QCOMPARE(derived(), before);  // nothing is tried before the mouse is on it
@@ -78,7 +78,7 @@ class BrakePreviewTest : public QObject {
     verifyHeld(stage);
     moveOn(*menu, entry(*menu, elsewhere));
     verifyUntouched(before, rate);
-    const StagePtr again = window->view3d().stage();
+    const MechanismScenePtr again = window->view3d().stage();
     moveOn(*menu, entry(*menu, text));
     verifyHeld(again);
     QTest::keyClick(menu, Qt::Key_Escape);

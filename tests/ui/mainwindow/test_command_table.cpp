@@ -2,9 +2,9 @@
 #include <QTest>
 
 #include "tests/ui/mainwindow/hand.h"
+#include "ui/help/search_entries.h"
 #include "ui/mainwindow/commands.h"
 #include "ui/mainwindow/document_files.h"
-#include "ui/search/search_entries.h"
 
 namespace geargraph {
 namespace {

@@ -27,7 +27,7 @@ constexpr int kMaxSession = 150;         ///< edits
 Expected<Mechanism> edited(Mechanism mechanism, int k) {
   mechanism.name = std::to_string(k);
   if (k % 5 != 0) return mechanism;
-  return withLink(std::move(mechanism), SheetPoint{40.0 * (k % 20), 40.0 * (k / 20)});
+  return withLink(std::move(mechanism), CanvasPoint{40.0 * (k % 20), 40.0 * (k / 20)});
 }
 
 Mechanism afterEdits(Mechanism mechanism, int count) {

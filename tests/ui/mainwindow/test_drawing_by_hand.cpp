@@ -5,7 +5,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/mechanism/fitting/wheel_map.h"
+#include "core/mechanism/geometry_edits/wheel_map.h"
 #include "tests/ui/mainwindow/person.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
@@ -20,7 +20,7 @@ class LiveTeethTest : public QObject {
         {QStringLiteral("Change teeth"),
          [=](const Mechanism& mechanism) { return withTeeth(mechanism, MeshId("15"), tail, head); }, 0});
   }
-  [[nodiscard]] const StagePtr& stage() const { return window->view3d().stage(); }
+  [[nodiscard]] const MechanismScenePtr& stage() const { return window->view3d().stage(); }
   /// Is the solid of every wheel of the document as it is now on the stage, and no other wheel's?
   [[nodiscard]] bool stageShowsTheWheels() const {
     const Mechanism& now = *window->document().mechanism();
@@ -45,12 +45,12 @@ class LiveTeethTest : public QObject {
   void aChangedToothCountIsOnTheNextStage() {
     QVERIFY(stageShowsTheWheels());
     for (const int teeth : {20, 21, 20, 30}) {
-      const StagePtr before = stage();
+      const MechanismScenePtr before = stage();
       setTeeth(teeth, 2 * teeth);
       QTRY_VERIFY(stage() != before);
       QVERIFY(stageShowsTheWheels());
     }
-    const StagePtr before = stage();
+    const MechanismScenePtr before = stage();
     window->document().undoStack().undo();
     QTRY_VERIFY(stage() != before);
     QVERIFY(stageShowsTheWheels());
@@ -58,7 +58,7 @@ class LiveTeethTest : public QObject {
 
   /// What did not change is not made again: the very same solids stay on the stage.
   void unchangedWheelsKeepTheirSolids() {
-    const StagePtr before = stage();
+    const MechanismScenePtr before = stage();
     setTeeth(20, 40);
     QTRY_VERIFY(stage() != before);
     std::size_t kept = 0;

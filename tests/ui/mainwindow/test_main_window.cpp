@@ -40,7 +40,7 @@ class MainWindowTest : public QObject {
   void addLink() {
     window->document().apply({QStringLiteral("Add link"),
                               [](const Mechanism& mechanism) {
-                                return withLink(mechanism, SheetPoint{90, 90});
+                                return withLink(mechanism, CanvasPoint{90, 90});
                               },
                               0});
   }

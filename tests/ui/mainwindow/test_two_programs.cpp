@@ -93,7 +93,7 @@ class TwoProgramsTest : public QObject {
   void addLink() {
     first().document().apply({QStringLiteral("Add link"),
                               [](const Mechanism& mechanism) {
-                                return withLink(mechanism, SheetPoint{90, 300});
+                                return withLink(mechanism, CanvasPoint{90, 300});
                               },
                               0});
   }

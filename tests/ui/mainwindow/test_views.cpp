@@ -6,11 +6,11 @@
 #include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/help/help_page_of.h"
+#include "ui/help/search_entries.h"
 #include "ui/help/whats_this.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/view_docks.h"
 #include "ui/mainwindow/view_table.h"
-#include "ui/search/search_entries.h"
 
 namespace geargraph {
 namespace {
@@ -161,7 +161,7 @@ class ViewsTest : public QObject {
 
     window->document().apply({"Add link",
                               [](const Mechanism& before) {
-                                return withLink(before, SheetPoint{90, 90});
+                                return withLink(before, CanvasPoint{90, 90});
                               },
                               0});
     QCOMPARE(view.mechanism, window->document().mechanism());

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "tests/ui/mainwindow/file_windows.h"
-#include "ui/atlas/atlas_panel.h"
+#include "ui/atlas_panel/atlas_panel.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/window_actions.h"
 

@@ -58,8 +58,8 @@ class WindowClipboardTest : public QObject {
     const Link& copy = now()->links.back();
     QCOMPARE(copy.name, before->find(LinkId("5"))->name);
     QVERIFY(before->find(copy.id) == nullptr);
-    const SheetPoint from = before->view.nodes.at(LinkId("5"));
-    const SheetPoint to = now()->view.nodes.at(copy.id);
+    const CanvasPoint from = before->view.nodes.at(LinkId("5"));
+    const CanvasPoint to = now()->view.nodes.at(copy.id);
     QCOMPARE(to.x - from.x, 30.0);
     QCOMPARE(to.y - from.y, 30.0);
     QCOMPARE(window->selection().selected().size(), std::size_t{5});  // the copies, ready to be moved
@@ -316,7 +316,7 @@ class WindowClipboardTest : public QObject {
     Mechanism with = *now();
     with.wheels.push_back({WheelId("pinion"), LinkId("4"), {}, {}, {}, {}});
     with.gearMeshes[0].tailWheel = WheelId("pinion");
-    with.couplings.push_back({CouplingId("brake"), CouplingKind::brake, {LinkId("4")}, {}});
+    with.couplings.push_back({ShiftElementId("brake"), ShiftElementKind::brake, {LinkId("4")}, {}});
     const Mechanism fragment = fragmentOf(with, {MeshId("15")});
     const Mechanism twice = *withFragment(*withFragment(with, fragment), fragment);
     QCOMPARE(twice.wheels.size(), std::size_t{3});
@@ -324,7 +324,7 @@ class WindowClipboardTest : public QObject {
     QCOMPARE(twice.wheels[2].id, WheelId("pinion-3"));
     QCOMPARE(twice.gearMeshes.back().tailWheel, std::optional(WheelId("pinion-3")));
     QCOMPARE(twice.wheels[2].link, twice.gearMeshes.back().tail);
-    QCOMPARE(twice.couplings[1].id, CouplingId("brake-2"));
+    QCOMPARE(twice.couplings[1].id, ShiftElementId("brake-2"));
     QVERIFY(readMechanism(writeMechanism(twice)).value() == twice);
   }
 };

@@ -22,7 +22,7 @@
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_set.h"
 #include "ui/panels/matrices_panel.h"
-#include "ui/printing/print_dialog.h"
+#include "ui/reading/print_dialog.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -57,7 +57,7 @@ class WindowCommandsTest : public QObject {
     for (int i = 0; i < 30; ++i) {
       window->document().apply({QStringLiteral("Add link %1").arg(i),
                                 [](const Mechanism& before) {
-                                  return withLink(before, SheetPoint{0, 0});
+                                  return withLink(before, CanvasPoint{0, 0});
                                 },
                                 0});
     }
@@ -87,7 +87,7 @@ class WindowCommandsTest : public QObject {
     const auto addLink = [&first] {
       first.document().apply({QStringLiteral("Add link"),
                               [](const Mechanism& before) {
-                                return withLink(before, SheetPoint{0, 0});
+                                return withLink(before, CanvasPoint{0, 0});
                               },
                               0});
     };

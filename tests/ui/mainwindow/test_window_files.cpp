@@ -15,13 +15,13 @@
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
-#include "ui/languages/languages.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/settings/languages.h"
 #include "ui/settings/settings.h"
 
 namespace geargraph {

@@ -49,7 +49,7 @@ class WindowForcesTest : public QObject {
     Mechanism mechanism = test::planetary(24, 18);
     const auto& joints = mechanism.turningJoints;
     mechanism.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
-    mechanism.balances = std::vector<Balance>{{joints[1].id}, {joints[2].id}};
+    mechanism.balances = std::vector<HoldingTorque>{{joints[1].id}, {joints[2].id}};
     if (isLoaded) mechanism.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
     return mechanism;
   }
@@ -353,7 +353,7 @@ class WindowForcesTest : public QObject {
     Mechanism planets = test::planetary(24, 18, 3);
     const auto& joints = planets.turningJoints;
     planets.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
-    planets.balances = std::vector<Balance>{{joints[1].id}, {joints[2].id}};
+    planets.balances = std::vector<HoldingTorque>{{joints[1].id}, {joints[2].id}};
     planets.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
     open(planets);
     const auto caption = [&] { return window->view3d().forcesCaption(); };

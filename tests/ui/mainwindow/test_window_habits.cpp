@@ -93,7 +93,7 @@ class WindowHabitsTest : public QObject {
     QTRY_VERIFY(window->isSettled());
     QVERIFY2(!message().startsWith(QStringLiteral("New numbers")), qPrintable(message()));
     window->selection().unhover();
-    change([](const Mechanism& m) { return withLink(m, SheetPoint{600, 40}); });
+    change([](const Mechanism& m) { return withLink(m, CanvasPoint{600, 40}); });
     QVERIFY2(!message().startsWith(QStringLiteral("New numbers")), qPrintable(message()));
   }
 
@@ -303,9 +303,9 @@ class WindowHabitsTest : public QObject {
   }
 
   void thePictureStaysWhileALinkHangsLoose() {
-    const StagePtr before = window->view3d().stage();
+    const MechanismScenePtr before = window->view3d().stage();
     QVERIFY(!before->scene.instances.empty());
-    change([](const Mechanism& m) { return withLink(m, SheetPoint{600, 40}); });
+    change([](const Mechanism& m) { return withLink(m, CanvasPoint{600, 40}); });
     QCOMPARE(window->view3d().stage().get(), before.get());
     auto* note = part<QLabel>("view3dNote");
     QVERIFY(note->isVisible());
@@ -328,7 +328,7 @@ class WindowHabitsTest : public QObject {
   }
 
   void anotherDocumentDoesNotKeepThePicture() {
-    window->document().replace(*withLink(emptyMechanism(), SheetPoint{0, 0}), {});
+    window->document().replace(*withLink(emptyMechanism(), CanvasPoint{0, 0}), {});
     QTRY_VERIFY(window->isSettled());
     QVERIFY(window->view3d().stage()->scene.instances.empty());
     QVERIFY(!part<QLabel>("view3dNote")->isVisible());
@@ -415,7 +415,7 @@ class WindowHabitsTest : public QObject {
   void nodesKeepToTheGrid() {
     press(Qt::Key_NumberSign);
     QVERIFY(window->actions()[CommandId::grid]->isChecked());
-    const auto isOnGrid = [](SheetPoint p) { return std::fmod(p.x, 20) == 0 && std::fmod(p.y, 20) == 0; };
+    const auto isOnGrid = [](CanvasPoint p) { return std::fmod(p.x, 20) == 0 && std::fmod(p.y, 20) == 0; };
     const auto placeOf = [this](const char* id) { return now()->view.nodes.at(LinkId(id)); };
     QVERIFY(!isOnGrid(placeOf("1")));  // nothing moves by itself
     QWidget* sheet = window->digraph().viewport();

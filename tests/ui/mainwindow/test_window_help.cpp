@@ -25,6 +25,8 @@
 #include "ui/help/help_browser.h"
 #include "ui/help/help_page_of.h"
 #include "ui/help/help_window.h"
+#include "ui/help/search_entries.h"
+#include "ui/help/search_field.h"
 #include "ui/help/tour.h"
 #include "ui/help/whats_this.h"
 #include "ui/mainwindow/document_files.h"
@@ -34,8 +36,6 @@
 #include "ui/mainwindow/view_table.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/mainwindow/window_help.h"
-#include "ui/search/search_entries.h"
-#include "ui/search/search_field.h"
 #include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 

@@ -7,12 +7,12 @@
 
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/languages/languages.h"
 #include "ui/mainwindow/fitting_tool_bar.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
+#include "ui/settings/languages.h"
 
 namespace geargraph {
 namespace {

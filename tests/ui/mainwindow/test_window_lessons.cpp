@@ -17,10 +17,10 @@
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
-#include "ui/exercises/exercises_dialog.h"
-#include "ui/lessons/answer_form.h"
-#include "ui/lessons/course_dialog.h"
-#include "ui/lessons/lesson_panel.h"
+#include "ui/learning/answer_form.h"
+#include "ui/learning/course_dialog.h"
+#include "ui/learning/exercises_dialog.h"
+#include "ui/learning/lesson_panel.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_actions.h"
 
@@ -107,7 +107,7 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     QVERIFY(first().document().isModified());
     last().document().apply({QStringLiteral("Add"),
                              [](const Mechanism& m) {
-                               return withLink(m, SheetPoint{10, 10});
+                               return withLink(m, CanvasPoint{10, 10});
                              },
                              0});
     last().close();  // asks nothing, and leaves no side file
@@ -227,7 +227,7 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
     QTRY_VERIFY(last().isSettled());
     last().document().apply({QStringLiteral("Add"),
                              [](const Mechanism& m) {
-                               return withLink(m, SheetPoint{10, 10});
+                               return withLink(m, CanvasPoint{10, 10});
                              },
                              0});
     panel().next();

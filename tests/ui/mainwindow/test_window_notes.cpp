@@ -13,11 +13,11 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/note_editor.h"
+#include "ui/help/search_field.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/panels/properties_panel.h"
-#include "ui/search/search_field.h"
 
 namespace geargraph {
 
@@ -27,7 +27,7 @@ class WindowNotesTest : public QObject {
 
   std::unique_ptr<MainWindow> window;
 
-  [[nodiscard]] const std::vector<SheetNote>& notes() { return window->document().mechanism()->view.notes; }
+  [[nodiscard]] const std::vector<CanvasNote>& notes() { return window->document().mechanism()->view.notes; }
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     QTest::keyClick(&window->digraph(), key, modifiers);
   }

@@ -8,7 +8,7 @@
 
 #include "core/design/collision/motion_diagnostics.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/shapes.h"
@@ -135,7 +135,7 @@ class WindowProblemsTest : public QObject {
   /// A load that nothing holds, with the motion by name; gone with the load.
   void loadsThatNothingHolds() {
     change([](const Mechanism& before) {
-      return withBalances(before, std::vector<Balance>{{JointId("8")}, {JointId("9")}});
+      return withBalances(before, std::vector<HoldingTorque>{{JointId("8")}, {JointId("9")}});
     });
     QVERIFY(codes().isEmpty());
     change([](const Mechanism& before) {
@@ -158,7 +158,7 @@ class WindowProblemsTest : public QObject {
   }
 
   void aRowLightsItsCulpritsBesideItsButtons() {
-    change([](const Mechanism& before) { return withLink(before, SheetPoint{600, 20}); });
+    change([](const Mechanism& before) { return withLink(before, CanvasPoint{600, 20}); });
     QCOMPARE(codes(), QStringList{"disconnected"});
     QListView& list = window->problems().list();
     const QRect row = list.visualRect(list.model()->index(0, 0));

@@ -11,9 +11,9 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/help/search_field.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/status_line.h"
-#include "ui/search/search_field.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {

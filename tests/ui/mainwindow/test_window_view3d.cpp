@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/foundations/files/file.h"
+#include "core/presentation/mechanism_scene/scene_picture.h"
 #include "core/presentation/meshfile/mesh_writer.h"
-#include "core/presentation/train_stage/stage_picture.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/shapes_dialog.h"
@@ -99,7 +99,7 @@ class WindowView3DTest : public QObject {
     const std::size_t bare = parts();
     const QString path = saved("dressed.geargraph");
     const std::filesystem::path part = folder->filePath("part.stl").toStdString();
-    StageView view;
+    SceneView view;
     view.hidden = {LinkId("2"), LinkId("3"), LinkId("4"), LinkId("5"), LinkId("6"), LinkId("7"), LinkId("0")};
     QVERIFY(!writeMesh(sceneOf(*window->view3d().stage(), view), MeshFormat::stl, part));
     auto* dialog = new ShapesDialog(&window->document(), LinkId("1"), window.get());

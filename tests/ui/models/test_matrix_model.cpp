@@ -48,7 +48,7 @@ class MatrixModelTest : public QObject {
   }
 
   void withoutTreeOnlyIncidenceIsThere() {
-    auto loose = withLink(test::robotTopology(), SheetPoint{});
+    auto loose = withLink(test::robotTopology(), CanvasPoint{});
     MatrixModel model;
     model.setSnapshot(snapshotOf(std::move(loose).value()));
     QVERIFY(model.matrix() == nullptr);
@@ -83,7 +83,7 @@ class MatrixModelTest : public QObject {
   }
 
   void previewOfATurningJointRenumbersTheMeshes() {
-    auto loose = withLink(test::robotTopology(), SheetPoint{});
+    auto loose = withLink(test::robotTopology(), CanvasPoint{});
     MatrixModel model;
     model.setKind(MatrixKind::incidence);
     model.setSnapshot(snapshotOf(*loose));

@@ -72,7 +72,7 @@ class ResultsModelTest : public QObject {
     model.setSnapshot(analyze(std::make_shared<const Mechanism>(emptyMechanism())));
     QCOMPARE(model.rowCount(), 0);
     model.setSnapshot(
-        analyze(std::make_shared<const Mechanism>(withLink(drivenRobot(), SheetPoint{}).value())));
+        analyze(std::make_shared<const Mechanism>(withLink(drivenRobot(), CanvasPoint{}).value())));
     QCOMPARE(model.rowCount(), 0);
     QCOMPARE(model.columnCount(), 0);
   }

@@ -11,7 +11,7 @@
 #include <semaphore>
 #include <set>
 
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/shift_edits.h"
@@ -259,13 +259,13 @@ class EditingPanelsTest : public QObject, private EditingPanels {
 
   void aBrakeIsEngagedAndReleased() {
     document->apply({QString(), [](const Mechanism& robot) { return withBrake(robot, LinkId("4")); }, 0});
-    const CouplingId brake = document->mechanism()->couplings.front().id;
+    const ShiftElementId brake = document->mechanism()->couplings.front().id;
     selection.select({ElementId(brake)});
     auto* engage = properties->findChild<QPushButton*>(QStringLiteral("engage"));
     QVERIFY(engage != nullptr);
     QCOMPARE(engage->text(), QStringLiteral("Engage"));
     QTest::mouseClick(engage, Qt::LeftButton);
-    QCOMPARE(document->mechanism()->engaged, std::vector<CouplingId>{brake});
+    QCOMPARE(document->mechanism()->engaged, std::vector<ShiftElementId>{brake});
     QCOMPARE(engage->text(), QStringLiteral("Release"));
     QTest::mouseClick(engage, Qt::LeftButton);
     QVERIFY(document->mechanism()->engaged.empty());

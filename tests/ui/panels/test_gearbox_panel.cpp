@@ -264,13 +264,13 @@ class GearboxPanelTest : public QObject {
       settle();
     };
     press(2);  // brake B
-    QCOMPARE(document->mechanism()->engaged, std::vector{CouplingId("B")});
+    QCOMPARE(document->mechanism()->engaged, std::vector{ShiftElementId("B")});
     QVERIFY(panel->model().headerData(2, Qt::Horizontal, StatesModel::EngagedRole).toBool());
     QVERIFY(!panel->model().headerData(1, Qt::Horizontal, StatesModel::EngagedRole).toBool());
     press(1);
-    QCOMPARE(document->mechanism()->engaged, (std::vector{CouplingId("A"), CouplingId("B")}));
+    QCOMPARE(document->mechanism()->engaged, (std::vector{ShiftElementId("A"), ShiftElementId("B")}));
     press(2);
-    QCOMPARE(document->mechanism()->engaged, std::vector{CouplingId("A")});
+    QCOMPARE(document->mechanism()->engaged, std::vector{ShiftElementId("A")});
     QCOMPARE(document->undoStack().count(), 3);
   }
 
@@ -370,11 +370,11 @@ class GearboxPanelTest : public QObject {
   void couplingsAreMadeOfTheSelectedLinks() {
     selection.select({ElementId(LinkId("6"))});
     press("addBrake");
-    QCOMPARE(document->mechanism()->couplings.back().kind, CouplingKind::brake);
+    QCOMPARE(document->mechanism()->couplings.back().kind, ShiftElementKind::brake);
     QCOMPARE(document->mechanism()->couplings.back().links, std::vector{LinkId("6")});
     selection.select({ElementId(LinkId("1")), ElementId(LinkId("8"))});
     press("addClutch");
-    QCOMPARE(document->mechanism()->couplings.back().id, CouplingId("G"));
+    QCOMPARE(document->mechanism()->couplings.back().id, ShiftElementId("G"));
     QCOMPARE(document->mechanism()->couplings.back().links, (std::vector{LinkId("1"), LinkId("8")}));
     press("addState");
     QCOMPARE(panel->model().rowCount(), 10);

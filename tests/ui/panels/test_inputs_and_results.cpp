@@ -10,7 +10,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -371,7 +371,7 @@ class InputsAndResultsTest : public QObject {
     SpeedSlider* const third = row("11");
     document->apply({"add",
                      [](const Mechanism& before) {
-                       return withLink(before, SheetPoint{90, 300});
+                       return withLink(before, CanvasPoint{90, 300});
                      },
                      0});
     QCOMPARE(row("9"), first);  // eight links move, so that the joints follow 8

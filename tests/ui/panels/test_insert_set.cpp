@@ -70,7 +70,7 @@ class InsertSetTest : public QObject {
     QVERIFY(inserted.has_value());
     QCOMPARE(inserted->couplings.size(), std::size_t(1));
     QCOMPARE(inserted->find(inserted->couplings[0].links[0])->name, std::string("sun"));
-    QCOMPARE(inserted->engaged, std::vector<CouplingId>{inserted->couplings[0].id});
+    QCOMPARE(inserted->engaged, std::vector<ShiftElementId>{inserted->couplings[0].id});
     QCOMPARE(inserted->inputs->size(), std::size_t(1));
 
     dialog->show();

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "core/design/fixes/fixes.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
@@ -237,7 +237,7 @@ class MatricesPanelTest : public QObject {
       });
     };
     QVERIFY(says("Draw the first link: L, then click."));
-    panel->setSnapshot(snapshotOf(withLink(test::robotTopology(), SheetPoint{}).value()));
+    panel->setSnapshot(snapshotOf(withLink(test::robotTopology(), CanvasPoint{}).value()));
     QVERIFY(says("needs the turning joints to be a spanning tree"));
     QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportCsv"))->isEnabled());
     QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("exportCsv"))->toolTip().contains("spanning tree"));

@@ -7,8 +7,8 @@
 #include <QWheelEvent>
 #include <numbers>
 
-#include "core/foundations/base/spoken.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/foundations/base/locale.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/ui/panels/editing_panels.h"
 

@@ -22,7 +22,7 @@ class AutosaveTest : public QObject {
   void addLink() {
     document->apply({QStringLiteral("Add link"),
                      [](const Mechanism& mechanism) {
-                       return withLink(mechanism, SheetPoint{10, 20});
+                       return withLink(mechanism, CanvasPoint{10, 20});
                      },
                      0});
   }

@@ -80,8 +80,8 @@ class ServiceTest : public QObject {
   void aPieceForALaterTurnIsDroppedWithItsContext() {
     int run = 0;
     auto context = std::make_unique<QObject>();
-    Turns::instance().later(context.get(), [&] { ++run; });
-    Turns::instance().later(this, [&] { run += 10; });
+    GuiTaskQueue::instance().later(context.get(), [&] { ++run; });
+    GuiTaskQueue::instance().later(this, [&] { run += 10; });
     QCOMPARE(run, 0);
     context.reset();
     QTRY_COMPARE(run, 10);
@@ -90,11 +90,11 @@ class ServiceTest : public QObject {
   void aTurnIsTakenOnceForAllThatAskForIt() {
     int run = 0;
     std::function<void()> piece = [&] { ++run; };
-    TurnOf turn(this, [&] { piece(); });
+    CoalescedTask turn(this, [&] { piece(); });
     turn.request();
     turn.request();
     QCOMPARE(run, 0);
-    Turns::instance().later(this, [&] { run += 10; });
+    GuiTaskQueue::instance().later(this, [&] { run += 10; });
     QTRY_COMPARE(run, 11);
     piece = [&] {  // it may ask for the next one
       if (++run < 15) turn.request();
@@ -110,7 +110,7 @@ class ServiceTest : public QObject {
           this, [&] { order << QStringLiteral("input"); }, Qt::QueuedConnection);
     };
     for (const char* const name : {"first", "second", "third"}) {
-      Turns::instance().later(this, [&order, input, name] {
+      GuiTaskQueue::instance().later(this, [&order, input, name] {
         order << QLatin1String(name);
         input();
       });

@@ -138,8 +138,8 @@ class LooksTest : public QObject {
     card->installEventFilter(&paints);
     card->installEventFilter(&restyles);
     applyTheme(*qApp, Theme::dark);
-    QVERIFY(!PaintingInParts::instance().isSettled());
-    QTRY_VERIFY(PaintingInParts::instance().isSettled() && paints.count > 0);
+    QVERIFY(!IncrementalRestyle::instance().isSettled());
+    QTRY_VERIFY(IncrementalRestyle::instance().isSettled() && paints.count > 0);
     QCoreApplication::processEvents();
     QCOMPARE(paints.count, 1);
     QCOMPARE(restyles.count, 0);
@@ -191,7 +191,7 @@ class LooksTest : public QObject {
     applyTheme(*qApp, Theme::dark, 2, isLaidOutNext);
     QCOMPARE(followed(), isLaidOutNext ? 4 : 0);
     std::ptrdiff_t most = 0;
-    for (std::ptrdiff_t last = 0; !PaintingInParts::instance().isSettled(); last = followed()) {
+    for (std::ptrdiff_t last = 0; !IncrementalRestyle::instance().isSettled(); last = followed()) {
       QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
       most = std::max(most, followed() - last);
     }
@@ -214,7 +214,7 @@ class LooksTest : public QObject {
     toast->show();
     for (const Theme theme : {Theme::dark, Theme::light}) {
       applyTheme(*qApp, theme);
-      QTRY_VERIFY(PaintingInParts::instance().isSettled());
+      QTRY_VERIFY(IncrementalRestyle::instance().isSettled());
       QCOMPARE(toast->palette().color(toast->foregroundRole()), qColor(ColorRole::sheet, theme));
     }
   }

@@ -58,7 +58,7 @@ class TestSectionTool : public QObject {
   void theDraftFollowsTheMouse() {
     const Step pressed = on(Idle{}, Pressed{at(5, 5)}, ToolKind::link);
     const Step moved = on(pressed.next, Moved{at(50, 6)}, ToolKind::link);
-    QCOMPARE(draft(moved.next)->to, (SheetPoint{50, 6}));
+    QCOMPARE(draft(moved.next)->to, (CanvasPoint{50, 6}));
     QVERIFY(!draft(Idle{}).has_value());
     QVERIFY(hint(Idle{}, ToolKind::link) != hint(moved.next, ToolKind::link));
   }

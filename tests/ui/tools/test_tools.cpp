@@ -191,7 +191,7 @@ class TestTools : public QObject {
   void clickOnEmptyGroundProposesALink() {
     ToolMachine tool(ToolKind::link);
     tool.on(Moved{at(5, 5)});
-    QCOMPARE(tool.linkDraft(), std::optional(SheetPoint{5, 5}));
+    QCOMPARE(tool.linkDraft(), std::optional(CanvasPoint{5, 5}));
     tool.on(Pressed{at(5, 5)});
     QCOMPARE(tool.on(Released{at(6, 7)}), (Proposals{AddLink{{6, 7}}}));
   }
@@ -235,8 +235,8 @@ class TestTools : public QObject {
 
   // --- snapping ---
   void dragSnapsToTheNearestRowAndColumn() {
-    const std::vector<SheetPoint> moving{{0, 0}};
-    const std::vector<SheetPoint> resting{{103, 50}, {98, 200}, {300, 46}};
+    const std::vector<CanvasPoint> moving{{0, 0}};
+    const std::vector<CanvasPoint> resting{{103, 50}, {98, 200}, {300, 46}};
     const Snap snap = snapped(moving, resting, 100, 47, 6);
     QCOMPARE(snap, (Snap{98, 46, 98.0, 46.0}));
   }
@@ -244,19 +244,19 @@ class TestTools : public QObject {
   void snapsAsIfEveryPairWereCompared() {
     std::mt19937 random(5);
     const auto places = [&](int count) {
-      std::vector<SheetPoint> all;
+      std::vector<CanvasPoint> all;
       for (int i = 0; i < count; ++i)
         all.push_back(
             {0.25 * static_cast<double>(random() % 4000), 0.25 * static_cast<double>(random() % 4000)});
       return all;
     };
     for (int round = 0; round < 200; ++round) {
-      const std::vector<SheetPoint> moving = places(1 + static_cast<int>(random() % 5));
-      const std::vector<SheetPoint> resting = places(static_cast<int>(random() % 40));
+      const std::vector<CanvasPoint> moving = places(1 + static_cast<int>(random() % 5));
+      const std::vector<CanvasPoint> resting = places(static_cast<int>(random() % 40));
       constexpr double kReach = 6;
       std::optional<double> least;  // of all corrections in x
-      for (const SheetPoint& node : moving) {
-        for (const SheetPoint& other : resting) {
+      for (const CanvasPoint& node : moving) {
+        for (const CanvasPoint& other : resting) {
           const double pull = std::abs(other.x - node.x - 13);
           if (pull <= kReach && (!least || pull < *least)) least = pull;
         }
@@ -268,8 +268,8 @@ class TestTools : public QObject {
   }
 
   void farNodesDoNotPull() {
-    const std::vector<SheetPoint> moving{{0, 0}, {10, 10}};
-    const std::vector<SheetPoint> resting{{200, 200}};
+    const std::vector<CanvasPoint> moving{{0, 0}, {10, 10}};
+    const std::vector<CanvasPoint> resting{{200, 200}};
     QCOMPARE(snapped(moving, resting, 50, 60, 6), (Snap{50, 60, {}, {}}));
     QCOMPARE(snapped(moving, {}, 50, 60, 6), (Snap{50, 60, {}, {}}));
   }

@@ -13,8 +13,8 @@
 namespace geargraph {
 namespace {
 
-StagePtr turningToy() {
-  auto stage = std::make_shared<Stage>(*test::toyStage());
+MechanismScenePtr turningToy() {
+  auto stage = std::make_shared<MechanismScene>(*test::toyStage());
   stage->joints = {{JointId("4"), "4", Rgb::fromHex(0x0072B2), {1}},
                    {JointId("5"), "5", Rgb::fromHex(0xD55E00), {-1}}};
   stage->twists = [](std::span<const double> angles, std::span<const double> speeds,
@@ -159,7 +159,7 @@ class MotionPlotTest : public QObject {
     Selection selection;
     View3D view(&selection);
     MotionPanel panel(&selection, &view);
-    view.setStage(turningToy());
+    view.setScene(turningToy());
     QVERIFY(panel.sheets().empty());  // nobody looks
     panel.resize(700, 240);
     panel.show();
@@ -185,7 +185,7 @@ class MotionPlotTest : public QObject {
     QVERIFY(plot->isVisible());
     QTest::mouseClick(plot, Qt::LeftButton, {}, plot->area().center().toPoint());
     QVERIFY(std::abs(view.playback().time() - 2) < 0.05);
-    view.setStage(test::toyStage());  // without twists
+    view.setScene(test::toyStage());  // without twists
     settle();
     QVERIFY(panel.sheets().empty());
   }

@@ -36,7 +36,7 @@ class TestPicturePace : public QObject {
 
   void anotherSceneIsADraftFirst() {
     MouseHand hand(true);
-    hand.viewer.setStage(test::toyStage());
+    hand.viewer.setScene(test::toyStage());
     QVERIFY(hand.pace.isDraft());
     QTRY_COMPARE(hand.rested.count(), 1);
   }
@@ -49,11 +49,11 @@ class TestPicturePace : public QObject {
 
   void labelsAreLookedForNowAndThenAndOnceMoreAtRest() {
     MouseHand hand(true);
-    hand.viewer.setStage(test::toyStage());
-    const StagePtr& stage = hand.viewer.stage();
+    hand.viewer.setScene(test::toyStage());
+    const MechanismScenePtr& stage = hand.viewer.stage();
     QVERIFY(hand.pace.takeMap());
     const Viewport viewport{64, 64};
-    SeenMap seen;
+    VisibilityBuffer seen;
     hand.labels.place({*stage, hand.viewer.poses(), {}, hand.viewer.camera(), viewport, 1, &seen});
     QVERIFY(!hand.pace.takeMap());
     QTRY_COMPARE(hand.rested.count(), 1);

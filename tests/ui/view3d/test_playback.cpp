@@ -103,7 +103,7 @@ class TestPlayback : public QObject {
   }
 
   void whoPointsAtAPlateMeansItsPart() {
-    const StagePtr stage = test::toyStage();
+    const MechanismScenePtr stage = test::toyStage();
     std::vector<Pose> poses;
     for (const Instance& instance : stage->scene.instances) poses.push_back(instance.pose);
     LabelLayer layer;

@@ -15,7 +15,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "tests/ui/view3d/toy_stage.h"
 #include "ui/view3d/view3d.h"
 
@@ -29,12 +29,12 @@ struct Shown {
   Selection selection;
   View3D view{&selection};
 
-  explicit Shown(const StagePtr& stage = test::toyStage()) {
+  explicit Shown(const MechanismScenePtr& stage = test::toyStage()) {
     ViewOptions options = view.options();
     options.linkLabels = false;
     view.setOptions(options);
     view.resize(640, 420);
-    view.setStage(stage);
+    view.setScene(stage);
     view.show();
     if (!QTest::qWaitForWindowExposed(&view)) qFatal("The window was not exposed");
     canvas()->setFocus();
@@ -114,7 +114,7 @@ class TestView3D : public QObject {
     QTRY_VERIFY(shown.view.isUpToDate());
     shown.view.resize(500, 400);
     QTRY_VERIFY(shown.view.isUpToDate());
-    shown.view.setStage(nullptr);
+    shown.view.setScene(nullptr);
     QTRY_VERIFY(shown.view.isUpToDate());
   }
 
@@ -124,7 +124,7 @@ class TestView3D : public QObject {
     QTRY_VERIFY(shown.view.isUpToDate());
     QCoreApplication::sendPostedEvents();
     Counter paints(shown.canvas(), QEvent::Paint), layouts(&shown.view, QEvent::LayoutRequest);
-    shown.view.setStage(test::toyStage());
+    shown.view.setScene(test::toyStage());
     shown.view.playback().setTime(3);
     QTRY_VERIFY(shown.view.isUpToDate());
     QCoreApplication::processEvents();
@@ -156,16 +156,16 @@ class TestView3D : public QObject {
     QTRY_VERIFY(!(shown.view.camera() == before));
     QCOMPARE(shown.view.playback().time(), 0.125);
     // The same train again, as another edit gives it, keeps it; one with other inputs does not.
-    shown.view.setStage(test::toyStage());
+    shown.view.setScene(test::toyStage());
     QCOMPARE(shown.view.trajectory(), trajectory);
     QTest::mouseClick(end, Qt::LeftButton);
     QCOMPARE(shown.view.trajectory(), nullptr);
     QVERIFY(!end->isVisible());
     QCOMPARE(shown.view.playback().period(), 4.0);
     shown.view.setTrajectory(trajectory);
-    auto two = std::make_shared<Stage>(*test::toyStage());
+    auto two = std::make_shared<MechanismScene>(*test::toyStage());
     two->inputSpeeds = {1, 1};
-    shown.view.setStage(two);
+    shown.view.setScene(two);
     QCOMPARE(shown.view.trajectory(), nullptr);
   }
 
@@ -189,13 +189,13 @@ class TestView3D : public QObject {
     };
     shown.view.setEmptyText({});
     QVERIFY(!hasWords(middle()));
-    shown.view.setStage(test::toyStage());
+    shown.view.setScene(test::toyStage());
     QVERIFY(!shown.view.isUpToDate());
     const QImage waiting = middle();
     QVERIFY(hasWords(waiting));
     QTRY_VERIFY(shown.view.isUpToDate());
     QVERIFY(middle() != waiting);
-    shown.view.setStage(nullptr);
+    shown.view.setScene(nullptr);
     QTRY_VERIFY(shown.view.isUpToDate());
     QVERIFY(!hasWords(middle()));
   }
@@ -685,7 +685,7 @@ class TestView3D : public QObject {
   }
 
   void anEmptyStageSaysWhatToDo() {
-    Shown shown(std::make_shared<const Stage>());
+    Shown shown(std::make_shared<const MechanismScene>());
     bool said = false;
     for (const QLabel* label : shown.view.findChildren<QLabel*>()) {
       said = said || (label->isVisible() && label->text().contains("place axes"));
@@ -702,7 +702,7 @@ class TestView3D : public QObject {
     QMainWindow window;
     auto* view = new View3D(&selection);
     window.setCentralWidget(view);
-    view->setStage(test::toyStage());
+    view->setScene(test::toyStage());
     window.resize(640, 420);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));

@@ -18,7 +18,7 @@ struct LateCanvas {
 
   LateCanvas() {
     viewer.setViewport({640, 420}, 1);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     viewer.setPick([this](const Frame&, double, double, Viewer::PickFor, Viewer::Answer answer) {
       open.push_back(std::move(answer));
     });
@@ -57,24 +57,24 @@ class ViewerTest : public QObject {
     Selection selection;
     Viewer viewer(&selection);
     viewer.setViewport({640, 420}, 1);
-    auto stage = std::make_shared<Stage>(*test::toyStage());
+    auto stage = std::make_shared<MechanismScene>(*test::toyStage());
     SolidOutlines larger = *solidOutlines(stage->scene);
     for (auto& outline : larger) {
       for (Eigen::Vector3d& point : outline) point *= 3;
     }
-    viewer.setStage(stage);
+    viewer.setScene(stage);
     const double fitted = viewer.camera().distance();
-    auto known = std::make_shared<Stage>(*stage);
+    auto known = std::make_shared<MechanismScene>(*stage);
     known->scene.outlines = std::make_shared<const SolidOutlines>(std::move(larger));
     viewer.startAnew(std::nullopt);
-    viewer.setStage(known);
+    viewer.setScene(known);
     QVERIFY(viewer.camera().distance() > 1.2 * fitted);
   }
 
   void whatIsPointedAtElsewhereLightsUpAtOnce() {
     Selection selection;
     Viewer viewer(&selection);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     QSignalSpy changed(&viewer, &Viewer::viewChanged);
     selection.hover(viewer.stage()->scene.instances.front().element);
     QCOMPARE(changed.count(), 1);
@@ -87,30 +87,30 @@ class ViewerTest : public QObject {
   void tracedPathsSurviveAnEditAndFollowIt() {
     Selection selection;
     Viewer viewer(&selection);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     QVERIFY(viewer.trace({0, LinkId("1"), {15, -22, 0}}));
     QVERIFY(viewer.trace({2, LinkId("3"), {0, 0, 30}}));
     const auto length = [&] { return viewer.traces()[0].path.length; };
     QTRY_VERIFY(length() > 0);
     const double before = length();
-    viewer.setStage(test::toyStage(8));  // twice the period: twice round
+    viewer.setScene(test::toyStage(8));  // twice the period: twice round
     QCOMPARE(viewer.traces().size(), std::size_t{2});
     QCOMPARE(length(), before);  // until the new one has been computed
     QTRY_VERIFY(std::abs(length() - 2 * before) < 1e-3 * before);
 
-    auto fewer = std::make_shared<Stage>(*test::toyStage());
+    auto fewer = std::make_shared<MechanismScene>(*test::toyStage());
     fewer->scene.instances[0].element = LinkId("9");  // link 1 has gone
     std::swap(fewer->scene.instances[1].element, fewer->scene.instances[2].element);
-    viewer.setStage(fewer);
+    viewer.setScene(fewer);
     QCOMPARE(viewer.traces().size(), std::size_t{1});
     QCOMPARE(viewer.traces()[0].point.instance, std::size_t{1});
 
-    auto still = std::make_shared<Stage>(*fewer);
+    auto still = std::make_shared<MechanismScene>(*fewer);
     still->place = {};
     still->inputSpeeds.clear();
-    viewer.setStage(still);
+    viewer.setScene(still);
     QTRY_VERIFY(viewer.traces()[0].path.points.empty());
-    viewer.setStage(fewer);
+    viewer.setScene(fewer);
     QTRY_VERIFY(!viewer.traces()[0].path.points.empty());
     viewer.startAnew(std::nullopt);
     QVERIFY(viewer.traces().empty());
@@ -119,21 +119,21 @@ class ViewerTest : public QObject {
   void aPathSeenFromALinkGoesWithThatLink() {
     Selection selection;
     Viewer viewer(&selection);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     viewer.fixReferenceFrame(ElementId(LinkId("2")));
     QVERIFY(viewer.trace({0, LinkId("1"), {15, -22, 0}}));
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     QCOMPARE(viewer.traces()[0].point.watcher, std::optional<std::size_t>(1));
-    auto without = std::make_shared<Stage>(*test::toyStage());
+    auto without = std::make_shared<MechanismScene>(*test::toyStage());
     without->scene.instances[1].element = LinkId("9");
-    viewer.setStage(without);
+    viewer.setScene(without);
     QVERIFY(viewer.traces().empty());
   }
 
   void untilSomebodyMovesTheCameraTheTrainFitsEverySize() {
     Selection selection;
     Viewer viewer(&selection);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     const auto isInside = [&](const Viewport& size) {
       for (const Eigen::Vector3d& corner : outlineOf(viewer.stage()->scene)) {
         const ScreenPoint at = viewer.camera().project(corner, size);
@@ -159,13 +159,13 @@ class ViewerTest : public QObject {
     const Viewport size{640, 420};
     viewer.setViewport(size, 1);
     const auto stageOf = [](double scale) {
-      Stage stage = *test::toyStage();
+      MechanismScene stage = *test::toyStage();
       for (Instance& instance : stage.scene.instances) instance.pose.translation() *= scale;
       stage.place = [near = stage.place, scale](std::span<const double> angles, std::span<Pose> poses) {
         near(angles, poses);
         for (Pose& pose : poses) pose.translation() *= scale;
       };
-      return std::make_shared<const Stage>(std::move(stage));
+      return std::make_shared<const MechanismScene>(std::move(stage));
     };
     const auto isInside = [&] {
       for (const Instance& instance : viewer.stage()->scene.instances) {
@@ -174,16 +174,16 @@ class ViewerTest : public QObject {
       }
       return true;
     };
-    viewer.setStage(stageOf(1));
+    viewer.setScene(stageOf(1));
     const Camera fitted = viewer.camera();
-    viewer.setStage(stageOf(1.01));  // still in sight: nothing jumps
+    viewer.setScene(stageOf(1.01));  // still in sight: nothing jumps
     QVERIFY(viewer.camera() == fitted);
-    viewer.setStage(stageOf(30));
+    viewer.setScene(stageOf(30));
     QVERIFY(viewer.camera() != fitted);
     QVERIFY(isInside());
     viewer.setCamera(viewer.camera().orbited(20, 5));
     const Camera taken = viewer.camera();
-    viewer.setStage(stageOf(900));
+    viewer.setScene(stageOf(900));
     QVERIFY(viewer.camera() == taken);
     QVERIFY(!isInside());
   }
@@ -191,7 +191,7 @@ class ViewerTest : public QObject {
   void aViewThatGetsLowerLeavesATrainInMotionWhereItIs() {
     Selection selection;
     Viewer viewer(&selection);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     viewer.setViewport({640, 420}, 1);
     const Camera fitted = viewer.camera();
     viewer.setRunning(true);
@@ -210,21 +210,21 @@ class ViewerTest : public QObject {
     Selection selection;
     Viewer viewer(&selection);
     viewer.setViewport({640, 420}, 1);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     QVERIFY(!viewer.isCameraChosen());
     const Camera fitted = viewer.camera();
     const Camera own = Camera::from(1, 0.5).placedAt({1, 2, 3}, 77);
     viewer.setCamera(own);
     QVERIFY(viewer.isCameraChosen());
-    viewer.setStage(test::toyStage());  // an edit
+    viewer.setScene(test::toyStage());  // an edit
     QVERIFY(viewer.camera() == own);
     viewer.startAnew(std::nullopt);
-    viewer.setStage(std::make_shared<const Stage>());  // nothing to see yet
-    viewer.setStage(test::toyStage());
+    viewer.setScene(std::make_shared<const MechanismScene>());  // nothing to see yet
+    viewer.setScene(test::toyStage());
     QVERIFY(viewer.camera() == fitted);
     QVERIFY(!viewer.isCameraChosen());
     viewer.startAnew(own);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     QVERIFY(viewer.camera() == own && viewer.isCameraChosen());
   }
 
@@ -295,10 +295,10 @@ class ViewerTest : public QObject {
     LateCanvas canvas;
     canvas.click({100, 100});
     canvas.click({200, 100});
-    const StagePtr before = canvas.viewer.stage();
-    auto fewer = std::make_shared<Stage>(*before);
+    const MechanismScenePtr before = canvas.viewer.stage();
+    auto fewer = std::make_shared<MechanismScene>(*before);
     fewer->scene.instances[0].element = LinkId("9");
-    canvas.viewer.setStage(fewer);
+    canvas.viewer.setScene(fewer);
     const std::vector<Viewer::Answer> open = std::exchange(canvas.open, {});
     open[0](Hit{2, LinkId("3"), {0, 0, 30}});
     QCOMPARE(canvas.selection.selected(), std::set<ElementId>{LinkId("3")});
@@ -322,7 +322,7 @@ class ViewerTest : public QObject {
   void expensivePicturesWaitUntilTheHandRests() {
     Selection selection;
     Viewer viewer(&selection);
-    viewer.setStage(test::toyStage());
+    viewer.setScene(test::toyStage());
     viewer.setPictureCost(40);
     QSignalSpy changed(&viewer, &Viewer::viewChanged);
     for (int i = 0; i < 5; ++i) {

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "core/presentation/painting/primitives.h"
-#include "core/presentation/stage/stage.h"
+#include "core/presentation/gl_renderer/primitives.h"
+#include "core/presentation/scene3d/stage.h"
 
 namespace geargraph::test {
 
 /// Two wheels on parallel shafts and a box between them, above: a stage whose every pixel can be foretold.
 /// The left wheel (link 1) turns with the input, the right one (link 2) the other way; the box (link 3)
 /// swings round z.
-inline StagePtr toyStage(double period = 4) {
-  auto stage = std::make_shared<Stage>();
+inline MechanismScenePtr toyStage(double period = 4) {
+  auto stage = std::make_shared<MechanismScene>();
   const auto add = [&](Solid solid, const Eigen::Vector3d& at, unsigned colour, const char* link) {
     stage->scene.solids.push_back(std::make_shared<const Solid>(std::move(solid)));
     Instance instance;
@@ -18,7 +18,7 @@ inline StagePtr toyStage(double period = 4) {
     instance.colour = Rgb::fromHex(colour);
     instance.element = LinkId(link);
     stage->scene.instances.push_back(instance);
-    StageLabel label;
+    SceneLabel label;
     label.text = link;
     label.colour = instance.colour;
     label.element = instance.element;

@@ -11,7 +11,7 @@
 #include "core/design/atlas/chain_enumeration.h"
 #include "core/design/atlas/chain_freedom.h"
 #include "core/design/atlas/identify.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/analysis/kinematics.h"

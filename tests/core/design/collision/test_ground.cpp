@@ -6,7 +6,7 @@
 #include <fcl/narrowphase/collision.h>
 
 #include "core/design/collision/collision_shape.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/part_solids.h"
 #include "tests/core/support/example_files.h"
 

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "core/design/fixes/fixes.h"
-#include "core/machine/bodies/complete_train.h"
-#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/machine/body_layout/complete_train.h"
+#include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
@@ -298,16 +298,17 @@ class FixesTest : public QObject {
   /// What couplings lock, releasing one of them frees; what holds nothing is released.
   void engagedCouplingsAreReleased() {
     const Mechanism box = test::example("eight-speed-gearbox");
-    const std::vector<CouplingId> most{CouplingId("A"), CouplingId("B"), CouplingId("C"), CouplingId("D")};
+    const std::vector<ShiftElementId> most{ShiftElementId("A"), ShiftElementId("B"), ShiftElementId("C"),
+                                           ShiftElementId("D")};
     provoke(*withEngagement(box, most));
     QCOMPARE(offered(Code::locked).first(), QStringLiteral("Release brake A"));
     eachFixRepairs(Code::locked);
     QCOMPARE(snapshot->matroid()->dof, 1);
     provoke(*withEngagement(*withBrake(*withEngagement(box, {}), LinkId("2"), "A2"),
-                            {CouplingId("A"), CouplingId("A2")}));
+                            {ShiftElementId("A"), ShiftElementId("A2")}));
     QCOMPARE(offered(Code::redundantCoupling), QStringList(QStringLiteral("Release brake A2")));
     eachFixRepairs(Code::redundantCoupling);
-    QCOMPARE(snapshot->mechanism->engaged, std::vector{CouplingId("A")});
+    QCOMPARE(snapshot->mechanism->engaged, std::vector{ShiftElementId("A")});
   }
 
   void ratiosRoundALoopAreMadeToAgree() {
@@ -340,8 +341,8 @@ class FixesTest : public QObject {
       arm.axes.back().point = triple(0, 0, 0);
       arm.axes.back().direction = direction;
     }
-    arm.couplings.push_back({CouplingId("B"), CouplingKind::brake, {arm.links.back().id}, {}});
-    arm.states.push_back({"s", {CouplingId("B")}, arm.links[1].id, arm.links[2].id, {}});
+    arm.couplings.push_back({ShiftElementId("B"), ShiftElementKind::brake, {arm.links.back().id}, {}});
+    arm.states.push_back({"s", {ShiftElementId("B")}, arm.links[1].id, arm.links[2].id, {}});
     snapshot = analyze(std::make_shared<const Mechanism>(arm));
     const auto found = diagnosticWith(Code::turningLoop);
     QVERIFY(found && found->detail == Detail::couplingLinkage);

@@ -5,7 +5,7 @@
 #include "core/design/synthesis/planets.h"
 #include "core/design/synthesis/reverted_train.h"
 #include "core/design/synthesis/shifting_sets.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/teeth/phase.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/analysis/analysis.h"
@@ -151,7 +151,7 @@ class TestSynthesis : public QObject {
     const Mechanism both = withInserted(withInserted(emptyMechanism(), set, {0, 0}), set, {500, 0});
     QVERIFY(wellFormedDiagnostics(both).empty());
     QCOMPARE(both.couplings.size(), std::size_t(2));
-    QCOMPARE(both.engaged, (std::vector<CouplingId>{both.couplings[0].id, both.couplings[1].id}));
+    QCOMPARE(both.engaged, (std::vector<ShiftElementId>{both.couplings[0].id, both.couplings[1].id}));
   }
 
   void planetaryChoicesAssembleAndClearAndComeNear() {

@@ -101,11 +101,11 @@ class BaseTest : public QObject {
 
   void equalTextsAreTheSameAtom() {
     const std::string built = std::string("wh") + "eel";
-    QVERIFY(Atom("wheel") == Atom(built));
-    QCOMPARE(&Atom("wheel").text(), &Atom(built).text());
-    QVERIFY(Atom("a") < Atom("b"));
-    QVERIFY(Atom().empty());
-    QVERIFY(Atom("") == Atom());
+    QVERIFY(InternedString("wheel") == InternedString(built));
+    QCOMPARE(&InternedString("wheel").text(), &InternedString(built).text());
+    QVERIFY(InternedString("a") < InternedString("b"));
+    QVERIFY(InternedString().empty());
+    QVERIFY(InternedString("") == InternedString());
   }
 
   void elementsOfDifferentListsDiffer() {

@@ -1,7 +1,7 @@
 #include <QtTest>
 
+#include "core/foundations/base/locale.h"
 #include "core/foundations/base/readable.h"
-#include "core/foundations/base/spoken.h"
 
 using namespace geargraph;
 

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/foundations/base/wording.h"
+#include "core/foundations/base/text_lists.h"
 
 using namespace geargraph;
 

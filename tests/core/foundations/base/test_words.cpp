@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/foundations/base/words.h"
+#include "core/foundations/base/translation.h"
 
 namespace geargraph {
 

@@ -89,7 +89,7 @@ class TestElimination : public QObject {
       const IntegerRows matrix = randomRows(random, rows, columns, 3);
       const int rank = denseRank(matrix, columns);
       const RationalField rational;
-      const FusedField fused;
+      const ModularDoubleField fused;
       const auto exact = eliminate(rational, sparse(rational, matrix), columns, columns);
       const auto live = eliminate(fused, sparse(fused, matrix), columns, columns);
       QCOMPARE(exact->rank(), rank);
@@ -133,7 +133,7 @@ class TestElimination : public QObject {
   void doublesAndFractionsGiveTheSameNumbers() {
     std::mt19937_64 random(6);
     const RationalField rational;
-    const FusedField fused;
+    const ModularDoubleField fused;
     int compared = 0;
     for (int round = 0; round < 100; ++round) {
       const int columns = 4 + static_cast<int>(random() % 10);
@@ -146,7 +146,7 @@ class TestElimination : public QObject {
       const auto live = eliminate(fused, sparse(fused, matrix), columns - 2, columns);
       if (live->freeColumns != exact->freeColumns) continue;  // another choice of what is free
       ++compared;
-      std::vector<Fused> y;
+      std::vector<ModularDouble> y;
       for (const Rational& value : x) {
         QVERIFY(value.isInteger());
         y.push_back(fused.fromInteger(static_cast<std::int64_t>(value.toDouble())));

@@ -56,9 +56,9 @@ class TestPrimeField : public QObject {
   }
 
   void aSumThatVanishesIsZeroInTheDoubleToo() {
-    const FusedField field;
-    Fused third = field.quotient(field.one(), field.fromInteger(3));
-    Fused sum = field.one();
+    const ModularDoubleField field;
+    ModularDouble third = field.quotient(field.one(), field.fromInteger(3));
+    ModularDouble sum = field.one();
     for (int i = 0; i < 3; ++i) field.subtractProduct(sum, third, field.one());
     QVERIFY(field.isZero(sum));
     QCOMPARE(sum.number, 0.0);  // 1 - 1/3 - 1/3 - 1/3 is 1.1e-16 in plain doubles

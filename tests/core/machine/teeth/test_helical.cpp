@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/solids/solid.h"
 #include "core/machine/teeth/half_tooth.h"

@@ -44,7 +44,7 @@ class TestStackOrder : public QObject {
     stack.wheels = {{0, 1, 0, 0}, {1, 2, 0, 0}, {2, 1, 0, 0}};
     QCOMPARE(enclosedCount(stack, {0, 12, 24}), 1);
     QCOMPARE(enclosedCount(stack, {0, 24, 12}), 0);
-    stack.wheels[1].axisClass = 1;  // beside
+    stack.wheels[1].axisGroup = 1;  // beside
     QCOMPARE(enclosedCount(stack, {0, 12, 24}), 0);
     stack.covers = {{1, 0, 0}};  // but so large that the axis passes through it
     QCOMPARE(enclosedCount(stack, {0, 12, 24}), 1);

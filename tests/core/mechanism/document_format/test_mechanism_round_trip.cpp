@@ -32,7 +32,7 @@ Mechanism readText(const std::string& text) {
   return *mechanism;
 }
 
-using NodePlaces = std::map<LinkId, SheetPoint>;
+using NodePlaces = std::map<LinkId, CanvasPoint>;
 
 }  // namespace
 
@@ -58,11 +58,11 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(m.wheels[0].link == LinkId("sun") && m.wheels[0].bore->value() == 8);
   QVERIFY(m.gearDefaults->pressureAngle->value() == 20 && m.gearDefaults->faceWidth->value() == 10);
   QVERIFY(m.inputs->at(0).joint == JointId("4") && m.inputs->at(0).speed.exact() == Rational(1, 3));
-  QVERIFY(m.couplings[0].kind == CouplingKind::brake && m.couplings[1].links.size() == 2);
+  QVERIFY(m.couplings[0].kind == ShiftElementKind::brake && m.couplings[1].links.size() == 2);
   QVERIFY(m.states[0].engaged.size() == 2 && m.states[0].driven == LinkId("arm"));
-  QCOMPARE(m.engaged, std::vector{CouplingId("C")});
-  QVERIFY((m.view.nodes.at(LinkId("sun")) == SheetPoint{-3, 4}));
-  QVERIFY((m.view.ttNodes.at(LinkId("0")) == SheetPoint{-5, 6}));
+  QCOMPARE(m.engaged, std::vector{ShiftElementId("C")});
+  QVERIFY((m.view.nodes.at(LinkId("sun")) == CanvasPoint{-3, 4}));
+  QVERIFY((m.view.ttNodes.at(LinkId("0")) == CanvasPoint{-5, 6}));
   QVERIFY((m.view.camera == ViewCamera{{0, 1, 2.5}, -26, 20, 400}));
   QCOMPARE(m.view.colors, (std::map<LinkId, int>{{LinkId("arm"), 5}, {LinkId("planet"), 2}}));
   QCOMPARE(m.view.unknown, (UnknownMembers{{"grid", "{\"zoom\": 1.50}"}}));
@@ -87,8 +87,9 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(force.point[1].value() == 40);
   QCOMPARE(m.balances->size(), std::size_t{3});
   QVERIFY(std::get<JointId>(m.balances->at(0).at) == JointId("4"));
-  QVERIFY((std::get<Balance::OnLink>(m.balances->at(1).at) == Balance::OnLink{LinkId("arm"), AxisId("a")}));
-  QVERIFY(!std::get<Balance::OnLink>(m.balances->at(2).at).axis);
+  QVERIFY((std::get<HoldingTorque::OnLink>(m.balances->at(1).at) ==
+           HoldingTorque::OnLink{LinkId("arm"), AxisId("a")}));
+  QVERIFY(!std::get<HoldingTorque::OnLink>(m.balances->at(2).at).axis);
   QVERIFY(shape.scale->exact() == Rational(1, 4) && m.links[1].shapes.empty());
   QVERIFY(m.links[3].mass && !m.links[2].mass);
   QVERIFY(m.links[3].mass->mass.text() == "0.80" && m.links[3].mass->center->at(1).exact() == Rational(1, 3));
@@ -174,8 +175,8 @@ void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
 
 void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
   const Mechanism before = example("robot");
-  const std::vector<std::pair<LinkId, SheetPoint>> places{{LinkId("4"), {130.5, -0.1}},
-                                                          {LinkId("7"), {1.0 / 3, 2e5}}};
+  const std::vector<std::pair<LinkId, CanvasPoint>> places{{LinkId("4"), {130.5, -0.1}},
+                                                           {LinkId("7"), {1.0 / 3, 2e5}}};
   const Mechanism placed = withTtNodesMoved(before, places).value();
   const Mechanism again = readMechanism(writeMechanism(placed)).value();
   QCOMPARE(again, placed);
@@ -184,7 +185,7 @@ void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
   // The place of a deleted link goes with it, the others stay.
   const std::vector<ElementId> gone{LinkId("7")};
   QCOMPARE(withoutElements(again, gone).value().view.ttNodes, (NodePlaces{places.front()}));
-  const std::vector<std::pair<LinkId, SheetPoint>> none{{LinkId("none"), {0, 0}}};
+  const std::vector<std::pair<LinkId, CanvasPoint>> none{{LinkId("none"), {0, 0}}};
   QCOMPARE(withTtNodesMoved(before, none).error()[0].code, Code::unknownId);
 }
 

@@ -152,9 +152,10 @@ void TestMechanismTable::textsSurvive() {
   mechanism.name = "=cmd|'/c calc'!A0";
   mechanism.notes = std::string(" a\0b,\"c\";\r\nd\re\t", 14);
   mechanism.links = {{LinkId("-1"), "'=x"}, {LinkId("'"), "''"}, {LinkId("a|b\\"), "@"}};
-  mechanism.couplings = {{CouplingId("a|b"), CouplingKind::brake, {LinkId("'")}, {}},
-                         {CouplingId("=\\"), CouplingKind::clutch, {LinkId("'"), LinkId("a|b\\")}, {}}};
-  mechanism.engaged = {CouplingId("=\\"), CouplingId("a|b")};
+  mechanism.couplings = {
+      {ShiftElementId("a|b"), ShiftElementKind::brake, {LinkId("'")}, {}},
+      {ShiftElementId("=\\"), ShiftElementKind::clutch, {LinkId("'"), LinkId("a|b\\")}, {}}};
+  mechanism.engaged = {ShiftElementId("=\\"), ShiftElementId("a|b")};
   const std::string table = writeMechanismTable(mechanism);
   QCOMPARE(readTable(table), mechanism);
   for (const char* const formula : {",=", ",+", ",-1,", ",@"})

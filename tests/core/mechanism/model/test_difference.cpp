@@ -47,7 +47,7 @@ class DifferenceTest : public QObject {
     after = withInputs(robot, std::vector<Input>{{robot.turningJoints[0].id, Number(7), {}}}).value();
     QCOMPARE(textTo(after), QStringLiteral("inputs changed"));
 
-    const std::pair<LinkId, SheetPoint> moved[] = {{robot.links[1].id, SheetPoint{7, 7}}};
+    const std::pair<LinkId, CanvasPoint> moved[] = {{robot.links[1].id, CanvasPoint{7, 7}}};
     QCOMPARE(textTo(withNodesMoved(robot, moved).value()), QStringLiteral("links moved in the drawing"));
 
     after = robot;
@@ -59,7 +59,7 @@ class DifferenceTest : public QObject {
 
   void whatIsEngagedIsOfTheTrain() {
     const Mechanism box = test::eightSpeed();
-    const Mechanism engaged = withEngagement(box, {CouplingId("A")}).value();
+    const Mechanism engaged = withEngagement(box, {ShiftElementId("A")}).value();
     QVERIFY(!isSameTrain(box, engaged) && !isSameDigraph(box, engaged) && !isSameButForView(box, engaged));
     QVERIFY(differenceOf(box, engaged).other);
     QVERIFY(isSameTrain(engaged, withState(engaged).value()));
@@ -81,7 +81,7 @@ class DifferenceTest : public QObject {
   }
 
   void onlyPlacesInDrawingsAreAView() {
-    const std::pair<LinkId, SheetPoint> moved[] = {{robot.links[1].id, SheetPoint{7, 7}}};
+    const std::pair<LinkId, CanvasPoint> moved[] = {{robot.links[1].id, CanvasPoint{7, 7}}};
     QVERIFY(isSameButForView(robot, withNodesMoved(robot, moved).value()));
 
     QVERIFY(!isSameButForView(robot, withTeeth(robot, robot.gearMeshes[0].id, 17, 51).value()));

@@ -33,19 +33,19 @@ class ElementIndexTest : public QObject {
 
   void knowsWhatIsNotThere() {
     Mechanism robot = test::robotTopology();
-    robot.couplings.push_back({CouplingId("B1"), CouplingKind::brake, {LinkId("1")}, {}});
-    robot.states.push_back({"first", {CouplingId("B1")}, {}, {}, {}});
+    robot.couplings.push_back({ShiftElementId("B1"), ShiftElementKind::brake, {LinkId("1")}, {}});
+    robot.states.push_back({"first", {ShiftElementId("B1")}, {}, {}, {}});
     const ElementIndex index(std::make_shared<const Mechanism>(std::move(robot)));
     QVERIFY(index.find(LinkId("no such link")) == nullptr);
     QVERIFY(index.find(JointId("1")) == nullptr);  // the id of a link
     QVERIFY(!index.labelOf(LinkId("no such link")));
     QVERIFY(!index.labelOf(AxisId("no such axis")));
-    QVERIFY(!index.contains(CouplingId("B2")));
+    QVERIFY(!index.contains(ShiftElementId("B2")));
     QVERIFY(!index.contains(WheelId("w")));
-    QVERIFY(index.contains(CouplingId("B1")));
-    QCOMPARE(index.labelOf(CouplingId("B1")), std::optional<std::string>("B1"));
-    QVERIFY(index.contains(ElementId(ElementKind::state, Atom("first"))));
-    QVERIFY(!index.contains(ElementId(ElementKind::state, Atom("second"))));
+    QVERIFY(index.contains(ShiftElementId("B1")));
+    QCOMPARE(index.labelOf(ShiftElementId("B1")), std::optional<std::string>("B1"));
+    QVERIFY(index.contains(ElementId(ElementKind::state, InternedString("first"))));
+    QVERIFY(!index.contains(ElementId(ElementKind::state, InternedString("second"))));
   }
 };
 

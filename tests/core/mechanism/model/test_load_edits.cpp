@@ -31,8 +31,8 @@ Mechanism loaded() {
   Mechanism robot = *withLoad(test::robot(), inJoint("14", 10));
   robot = *withLoad(robot, onLink("3", AxisId("e"), 5));
   robot = *withLoad(robot, force("7"));
-  return *withBalances(robot,
-                       std::vector<Balance>{{JointId("8")}, {Balance::OnLink{LinkId("1"), AxisId("b")}}});
+  return *withBalances(
+      robot, std::vector<HoldingTorque>{{JointId("8")}, {HoldingTorque::OnLink{LinkId("1"), AxisId("b")}}});
 }
 
 Mechanism without(const Mechanism& mechanism, const ElementId& element) {
@@ -62,9 +62,11 @@ class TestLoadEdits : public QObject {
     QCOMPARE(withLoad(robot, {LoadId("L1"), inJoint("8", 1).action}).error()[0].code, Code::duplicateId);
     QCOMPARE(withLoad(robot, {{}, JointTorque{JointId("8"), *Number::fromText("1e16")}}).error()[0].code,
              Code::schema);
-    QCOMPARE(withBalances(robot, std::vector<Balance>{{JointId("8")}, {JointId("8")}}).error()[0].code,
+    QCOMPARE(withBalances(robot, std::vector<HoldingTorque>{{JointId("8")}, {JointId("8")}}).error()[0].code,
              Code::duplicateId);
-    QCOMPARE(withBalances(robot, std::vector<Balance>{{Balance::OnLink{LinkId("0"), {}}}}).error()[0].code,
+    QCOMPARE(withBalances(robot, std::vector<HoldingTorque>{{HoldingTorque::OnLink{LinkId("0"), {}}}})
+                 .error()[0]
+                 .code,
              Code::schema);
   }
 

@@ -156,8 +156,8 @@ class MechanismTest : public QObject {
   void deletingALinkTakesWhatNeedsItAlong() {
     Mechanism robot = robotTopology();
     robot.inputs = std::vector<Input>{{JointId("8"), Number(1), {}}, {JointId("9"), Number(1), {}}};
-    robot.couplings = {{CouplingId("A"), CouplingKind::brake, {LinkId("4")}, {}}};
-    robot.states = {{"1", {CouplingId("A")}, LinkId("4"), LinkId("3"), {}}};
+    robot.couplings = {{ShiftElementId("A"), ShiftElementKind::brake, {LinkId("4")}, {}}};
+    robot.states = {{"1", {ShiftElementId("A")}, LinkId("4"), LinkId("3"), {}}};
     robot.wheels = {{WheelId("w"), LinkId("4"), {}, {}, {}, {}}};
     robot.view.nodes[LinkId("4")] = {1, 2};
     const Mechanism without = withoutElements(robot, std::array{link("4")}).value();
@@ -261,8 +261,8 @@ class MechanismTest : public QObject {
     wrong.gearMeshes[2].headWheel = WheelId("none");
     wrong.axes[0].direction = NumberTriple{};
     wrong.inputs = std::vector<Input>{{JointId("99"), Number(1), {}}};
-    wrong.couplings = {{CouplingId("C"), CouplingKind::clutch, {LinkId("1")}, {}}};
-    wrong.states = {{"1", {CouplingId("Z")}, {}, {}, {}}};
+    wrong.couplings = {{ShiftElementId("C"), ShiftElementKind::clutch, {LinkId("1")}, {}}};
+    wrong.states = {{"1", {ShiftElementId("Z")}, {}, {}, {}}};
     QCOMPARE(
         codesOf(wellFormedDiagnostics(wrong)),
         (std::vector<Code>{Code::duplicateId, Code::schema, Code::unknownId, Code::selfJoint, Code::schema,

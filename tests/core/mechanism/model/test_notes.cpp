@@ -19,7 +19,7 @@ Mechanism noted() {
 
 std::vector<std::string> idsOf(const Mechanism& mechanism) {
   std::vector<std::string> ids;
-  for (const SheetNote& note : mechanism.view.notes) ids.push_back(note.id.text());
+  for (const CanvasNote& note : mechanism.view.notes) ids.push_back(note.id.text());
   return ids;
 }
 
@@ -50,12 +50,13 @@ class TestNotes : public QObject {
   void changesAndMoves() {
     const Mechanism changed = *withNoteText(noted(), NoteId("N2"), "new");
     QCOMPARE(changed.view.notes[1].text, std::string("new"));
-    const std::vector<std::pair<NoteId, SheetPoint>> moves{{NoteId("N1"), {-0.0, 7}}, {NoteId("N2"), {8, 9}}};
+    const std::vector<std::pair<NoteId, CanvasPoint>> moves{{NoteId("N1"), {-0.0, 7}},
+                                                            {NoteId("N2"), {8, 9}}};
     const Mechanism moved = *withNotesMoved(changed, moves);
-    QCOMPARE(moved.view.notes[1].at, (SheetPoint{8, 9}));
+    QCOMPARE(moved.view.notes[1].at, (CanvasPoint{8, 9}));
     QVERIFY(!std::signbit(moved.view.notes[0].at.x));  // -0 would be another text in the file
     QCOMPARE(withNoteText(noted(), NoteId("N9"), "x").error()[0].code, Code::unknownId);
-    const std::vector<std::pair<NoteId, SheetPoint>> strange{{NoteId("N9"), {}}};
+    const std::vector<std::pair<NoteId, CanvasPoint>> strange{{NoteId("N9"), {}}};
     QCOMPARE(withNotesMoved(noted(), strange).error()[0].code, Code::unknownId);
   }
 

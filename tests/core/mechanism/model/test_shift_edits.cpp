@@ -14,8 +14,8 @@ class TestShiftEdits : public QObject {
  private slots:
   void newCouplingsTakeTheFirstFreeLetter() {
     const Mechanism more = *withClutch(*withBrake(eightSpeed(), LinkId("6")), LinkId("1"), LinkId("3"));
-    QCOMPARE(more.couplings[5].id, CouplingId("F"));
-    QCOMPARE(more.couplings[6].id, CouplingId("G"));
+    QCOMPARE(more.couplings[5].id, ShiftElementId("F"));
+    QCOMPARE(more.couplings[6].id, ShiftElementId("G"));
     QCOMPARE(more.couplings[6].links, (std::vector{LinkId("1"), LinkId("3")}));
     QVERIFY(wellFormedDiagnostics(more).empty());
   }
@@ -28,11 +28,11 @@ class TestShiftEdits : public QObject {
   }
 
   void statesFollowTheNameOfACoupling() {
-    const Mechanism renamed = *withCouplingRenamed(eightSpeed(), CouplingId("A"), "B1");
-    QCOMPARE(renamed.states[0].engaged[0], CouplingId("B1"));
+    const Mechanism renamed = *withCouplingRenamed(eightSpeed(), ShiftElementId("A"), "B1");
+    QCOMPARE(renamed.states[0].engaged[0], ShiftElementId("B1"));
     QVERIFY(wellFormedDiagnostics(renamed).empty());
-    QCOMPARE(withCouplingRenamed(eightSpeed(), CouplingId("A"), "B").error()[0].code, Code::duplicateId);
-    QCOMPARE(withCouplingRenamed(eightSpeed(), CouplingId("A"), "").error()[0].code, Code::schema);
+    QCOMPARE(withCouplingRenamed(eightSpeed(), ShiftElementId("A"), "B").error()[0].code, Code::duplicateId);
+    QCOMPARE(withCouplingRenamed(eightSpeed(), ShiftElementId("A"), "").error()[0].code, Code::schema);
   }
 
   void aNewStateHasTheLinksOfTheLast() {
@@ -46,31 +46,32 @@ class TestShiftEdits : public QObject {
   }
 
   void dotsKeepTheOrderOfTheCouplings() {
-    Mechanism gearbox = *withEngaged(eightSpeed(), 0, CouplingId("B"), false);
-    QCOMPARE(gearbox.states[0].engaged, (std::vector{CouplingId("A"), CouplingId("C")}));
-    gearbox = *withEngaged(gearbox, 0, CouplingId("B"), true);
+    Mechanism gearbox = *withEngaged(eightSpeed(), 0, ShiftElementId("B"), false);
+    QCOMPARE(gearbox.states[0].engaged, (std::vector{ShiftElementId("A"), ShiftElementId("C")}));
+    gearbox = *withEngaged(gearbox, 0, ShiftElementId("B"), true);
     QCOMPARE(gearbox.states[0].engaged, eightSpeed().states[0].engaged);
   }
 
   void couplingsAreEngagedInTheirOrder() {
-    const Mechanism gearbox = *withEngagement(eightSpeed(), {CouplingId("E"), CouplingId("A")});
-    QCOMPARE(gearbox.engaged, (std::vector{CouplingId("A"), CouplingId("E")}));
+    const Mechanism gearbox = *withEngagement(eightSpeed(), {ShiftElementId("E"), ShiftElementId("A")});
+    QCOMPARE(gearbox.engaged, (std::vector{ShiftElementId("A"), ShiftElementId("E")}));
     QVERIFY(wellFormedDiagnostics(gearbox).empty());
     QVERIFY(withEngagement(gearbox, {})->engaged.empty());
-    QCOMPARE(withEngagement(gearbox, {CouplingId("X")}).error()[0].code, Code::unknownId);
-    QCOMPARE(withEngagement(gearbox, {CouplingId("B"), CouplingId("B")}).error()[0].code, Code::duplicateId);
+    QCOMPARE(withEngagement(gearbox, {ShiftElementId("X")}).error()[0].code, Code::unknownId);
+    QCOMPARE(withEngagement(gearbox, {ShiftElementId("B"), ShiftElementId("B")}).error()[0].code,
+             Code::duplicateId);
   }
 
   /// Whatever edit takes a coupling away or renames it, the engagement names couplings that exist.
   void theEngagementFollowsItsCouplings() {
-    const Mechanism engaged = *withEngagement(eightSpeed(), {CouplingId("A"), CouplingId("E")});
-    QCOMPARE(withCouplingRenamed(engaged, CouplingId("A"), "B1")->engaged,
-             (std::vector{CouplingId("B1"), CouplingId("E")}));
-    const std::vector<ElementId> coupling{CouplingId("A")};
-    QCOMPARE(withoutElements(engaged, coupling)->engaged, std::vector{CouplingId("E")});
+    const Mechanism engaged = *withEngagement(eightSpeed(), {ShiftElementId("A"), ShiftElementId("E")});
+    QCOMPARE(withCouplingRenamed(engaged, ShiftElementId("A"), "B1")->engaged,
+             (std::vector{ShiftElementId("B1"), ShiftElementId("E")}));
+    const std::vector<ElementId> coupling{ShiftElementId("A")};
+    QCOMPARE(withoutElements(engaged, coupling)->engaged, std::vector{ShiftElementId("E")});
     const std::vector<ElementId> link{LinkId("5")};  // clutch E is on it
     const Mechanism without = *withoutElements(engaged, link);
-    QCOMPARE(without.engaged, std::vector{CouplingId("A")});
+    QCOMPARE(without.engaged, std::vector{ShiftElementId("A")});
     QVERIFY(wellFormedDiagnostics(without).empty());
   }
 
@@ -80,7 +81,7 @@ class TestShiftEdits : public QObject {
     QCOMPARE(engagedState(now), 2);
     QCOMPARE(engagedState(eightSpeed()), -1);
     QVERIFY(!isEngaged(*withState(eightSpeed()), 9));  // a state without couplings
-    QCOMPARE(engagedState(*withEngaged(now, 2, CouplingId("A"), true)), -1);
+    QCOMPARE(engagedState(*withEngaged(now, 2, ShiftElementId("A"), true)), -1);
   }
 
   void driveAndDrivenOfOneStateOrOfAll() {

@@ -73,7 +73,7 @@ inline QString collisionsIn(const DisplayList& list) {
       found << texts[i].name + " on node " + nameOf(link);
     }
     for (const auto& [element, line] : lines) {
-      forEachChord(line, [&, name = nameOf(element)](SheetPoint from, SheetPoint to) {
+      forEachChord(line, [&, name = nameOf(element)](CanvasPoint from, CanvasPoint to) {
         if (texts[i].box.grown(1).meetsSegment(from, to)) found << texts[i].name + " on line " + name;
       });
     }
@@ -100,7 +100,7 @@ inline QString collisionsIn(const DisplayList& list) {
     const auto* bar = std::get_if<Polyline>(&stroke->shape);
     for (const auto& [element, line] : lines) {
       if (bar == nullptr || element == mark.element) continue;
-      forEachChord(line, [&, name = nameOf(element)](SheetPoint from, SheetPoint to) {
+      forEachChord(line, [&, name = nameOf(element)](CanvasPoint from, CanvasPoint to) {
         if (Extent{0.5 * (bar->points.front() + bar->points.back()), 1, 1}.meetsSegment(from, to))
           found << "line " + name + " through the hatching of " + nameOf(mark.element);
       });

@@ -54,7 +54,7 @@ class CurveChartTest : public QObject {
       if (line != nullptr && stroke.tint.link && line->points.size() == 3) curves.push_back(*line);
     }
     QCOMPARE(curves.size(), std::size_t{2});
-    const SheetPoint end = curves[0].points.back();
+    const CanvasPoint end = curves[0].points.back();
     QVERIFY(end.x > 0 && end.y < 0);
     for (const auto& [curve, power] : {std::pair{0, 2}, std::pair{1, 1}}) {
       const auto& points = curves[static_cast<std::size_t>(curve)].points;

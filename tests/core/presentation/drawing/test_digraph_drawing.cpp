@@ -23,7 +23,7 @@ namespace {
 
 /// Where the target drawing has the robot's nodes.
 NodePositions robotPositions() {
-  const std::array<SheetPoint, 8> places{
+  const std::array<CanvasPoint, 8> places{
       {{130, 330}, {300, 330}, {470, 250}, {660, 160}, {130, 190}, {300, 140}, {470, 400}, {660, 340}}};
   NodePositions positions;
   for (std::size_t i = 0; i < places.size(); ++i) positions[LinkId(std::to_string(i))] = places[i];
@@ -53,7 +53,7 @@ QString collisions(const DigraphGeometry& geometry) {
   for (const EdgePlace& edge : geometry.edges) {
     boxes.push_back({QString("label %1").arg(edge.label), edgeLabelExtent(edge.labelCenter, edge.label)});
   }
-  for (const CouplingPlace& coupling : geometry.couplings) {
+  for (const ShiftElementPlace& coupling : geometry.couplings) {
     const double halfWidth = textWidth(coupling.name, kNameSize, true) / 2;
     boxes.push_back({QString("name of ") + QString::fromStdString(coupling.name),
                      {coupling.labelCenter, halfWidth, kNameSize / 2}});
@@ -75,14 +75,14 @@ QString collisions(const DigraphGeometry& geometry) {
       }
     }
     for (const EdgePlace& edge : geometry.edges) {
-      forEachChord(edge.curve, [&](SheetPoint from, SheetPoint to) {
+      forEachChord(edge.curve, [&](CanvasPoint from, CanvasPoint to) {
         if (boxes[i].box.grown(kTurningWidth / 2).meetsSegment(from, to)) {
           found << QString("%1 on arrow %2").arg(boxes[i].name).arg(edge.label);
         }
       });
     }
-    for (const CouplingPlace& coupling : geometry.couplings) {
-      forEachChord(coupling.line, [&](SheetPoint from, SheetPoint to) {
+    for (const ShiftElementPlace& coupling : geometry.couplings) {
+      forEachChord(coupling.line, [&](CanvasPoint from, CanvasPoint to) {
         if (boxes[i].box.meetsSegment(from, to)) found << boxes[i].name + " on the line of a coupling";
       });
     }
@@ -185,8 +185,8 @@ class TestDigraphDrawing : public QObject {
     const DigraphGeometry geometry = digraphGeometry(drivenRobot(), positions);
     QCOMPARE(geometry.edges.size(), std::size_t{11});
     for (const EdgePlace& edge : geometry.edges) {
-      const SheetPoint tail = positions.at(LinkId(std::to_string(edge.tail)));
-      const SheetPoint head = positions.at(LinkId(std::to_string(edge.head)));
+      const CanvasPoint tail = positions.at(LinkId(std::to_string(edge.tail)));
+      const CanvasPoint head = positions.at(LinkId(std::to_string(edge.head)));
       QVERIFY(std::abs(distance(tail, edge.curve.from) - 23.5) < 0.01);
       QVERIFY(std::abs(distance(head, edge.curve.to) - 23.5) < 0.01);
     }
@@ -238,7 +238,7 @@ class TestDigraphDrawing : public QObject {
     NodePositions positions = robotPositions();
     positions[LinkId("3")] = {1e300, -1e300};
     const DigraphGeometry geometry = digraphGeometry(drivenRobot(), positions);
-    QCOMPARE(geometry.node(LinkId("3"))->center, (SheetPoint{kSheetEnd, -kSheetEnd}));
+    QCOMPARE(geometry.node(LinkId("3"))->center, (CanvasPoint{kSheetEnd, -kSheetEnd}));
     const std::string text = textOf(digraphDrawing(geometry, {}));
     QVERIFY(text.find("nan") == std::string::npos && text.find("inf") == std::string::npos);
   }
@@ -285,10 +285,10 @@ class TestDigraphDrawing : public QObject {
     QCOMPARE(geometry.edges.size(), digraphGeometry(drivenRobot(), robotPositions()).edges.size());
     QCOMPARE(geometry.couplings.size(), std::size_t{2});
     QCOMPARE(collisions(geometry), QString());
-    const CouplingPlace& brake = geometry.couplings[0];
+    const ShiftElementPlace& brake = geometry.couplings[0];
     QCOMPARE(brake.name, std::string("A"));
     QVERIFY(distance(brake.line.from, robotPositions().at(LinkId("3"))) < kNodeRadius + kRingWidth);
-    const CouplingPlace& clutch = geometry.couplings[1];
+    const ShiftElementPlace& clutch = geometry.couplings[1];
     QVERIFY(distance(clutch.line.from, robotPositions().at(LinkId("5"))) < 2 * kNodeRadius);
     QVERIFY(distance(clutch.line.to, robotPositions().at(LinkId("4"))) < 2 * kNodeRadius);
     const DisplayList list = digraphDrawing(geometry, {});
@@ -316,8 +316,8 @@ class TestDigraphDrawing : public QObject {
     for (int move = 0; move < 60; ++move) {
       const int nodes = move % 10 == 9 ? 20 : 1 + move % 3;  // few and many at once
       for (int i = 0; i < nodes; ++i) {
-        SheetPoint& place = positions[mechanism.links[random() % mechanism.links.size()].id];
-        place = place + SheetPoint{step(), step()};
+        CanvasPoint& place = positions[mechanism.links[random() % mechanism.links.size()].id];
+        place = place + CanvasPoint{step(), step()};
       }
       followed = digraphGeometry(mechanism, positions, followed);
       const DigraphGeometry fresh = digraphGeometry(mechanism, positions);
@@ -382,7 +382,7 @@ class TestDigraphDrawing : public QObject {
 
   void rubberBandTakesWhatLiesWhollyInside() {
     const DisplayList list = digraphDrawing(drivenRobot(), robotPositions(), {});
-    const auto inside = [&](SheetPoint from, SheetPoint to) {
+    const auto inside = [&](CanvasPoint from, CanvasPoint to) {
       QStringList names;
       for (const ElementId& element : elementsInside(list.outlines, Extent::spanning(from, to))) {
         names << QString::fromStdString(element.id.text());

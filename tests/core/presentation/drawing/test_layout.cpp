@@ -32,7 +32,7 @@ class TestLayout : public QObject {
  private slots:
   void groundAloneStandsAtTheOrigin() {
     const Mechanism empty = emptyMechanism();
-    QCOMPARE(layoutOf(empty), (NodePositions{{empty.links.front().id, SheetPoint{0, 0}}}));
+    QCOMPARE(layoutOf(empty), (NodePositions{{empty.links.front().id, CanvasPoint{0, 0}}}));
   }
 
   void everyLinkStandsRightOfTheOneThatCarriesIt() {

@@ -115,7 +115,7 @@ class TestTtGraphDrawing : public QObject {
     const Drawn robot(test::example("robot"));
     const NodePositions places = ttLayout(robot.mechanism, robot.graph());
     const auto y = [&](const char* link) { return places.at(LinkId(link)).y; };
-    QCOMPARE(places.at(LinkId("0")), (SheetPoint{0, 0}));
+    QCOMPARE(places.at(LinkId("0")), (CanvasPoint{0, 0}));
     QVERIFY(y("0") < y("1") && y("1") < y("2") && y("2") < y("3"));
     for (const char* link : {"4", "5", "1"}) QCOMPARE(y(link), y("1"));
     for (const char* link : {"7", "3"}) QCOMPARE(y(link), y("3"));

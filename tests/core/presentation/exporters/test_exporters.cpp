@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "core/presentation/export_api/csv_tables.h"
+#include "core/presentation/export_api/named_drawings.h"
 #include "core/presentation/exporters/exporters.h"
-#include "core/presentation/results/csv_tables.h"
-#include "core/presentation/results/named_drawings.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/snapshot_of.h"
 #include "tests/core/support/trains.h"

@@ -10,14 +10,14 @@
 #include <QTest>
 #include <set>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "core/presentation/drawing/svg_writer.h"
+#include "core/presentation/export_api/levers_json.h"
+#include "core/presentation/export_api/named_drawings.h"
 #include "core/presentation/handout/handout.h"
 #include "core/presentation/handout/page_scene.h"
 #include "core/presentation/handout/script_texts.h"
-#include "core/presentation/results/levers_json.h"
-#include "core/presentation/results/named_drawings.h"
-#include "core/presentation/train_stage/train_stage.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
 #include "core/teaching/exercises/variant_source.h"
 #include "core/teaching/grading/question_json.h"
 #include "tests/core/support/example_files.h"
@@ -40,7 +40,7 @@ QString pageOf(Mechanism mechanism, const std::optional<HandoutExercises>& exerc
     return svgOf(drawingNamed(name)->draw(*snapshot, nullptr, {}), SheetStyle());
   };
   GearCache cache;
-  const HandoutTrain train{trainStage(*snapshot, cache), "a picture"};
+  const HandoutTrain train{mechanismScene(*snapshot, cache), "a picture"};
   return QString::fromStdString(*handoutHtml(snapshot, {svg("schematic"), svg("digraph"), svg("ttgraph")},
                                              train, HandoutUse::alone, exercises));
 }
@@ -385,7 +385,7 @@ class TestHandout : public QObject {
     const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(test::example("robot")));
     GearCache cache;
     const auto page =
-        handoutHtml(snapshot, {}, {trainStage(*snapshot, cache), std::string(kMaxHandoutBytes, 'x')});
+        handoutHtml(snapshot, {}, {mechanismScene(*snapshot, cache), std::string(kMaxHandoutBytes, 'x')});
     QVERIFY(!page);
     QVERIFY(page.error().front().message.find("the still picture") != std::string::npos);
   }
@@ -409,7 +409,7 @@ class TestHandout : public QObject {
     for (const Mechanism& mechanism : {test::example("robot"), gearbox, open}) {
       std::vector<std::string> names{mechanism.name, mechanism.notes, mechanism.unit, "rad"};
       for (const Link& link : mechanism.links) names.push_back(link.name);
-      for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+      for (const ShiftElement& coupling : mechanism.couplings) names.push_back(coupling.id.text());
       for (const ShiftState& state : mechanism.states) names.push_back(state.name);
       const test::PseudoLanguage pseudo;
       const QString page = pageOf(mechanism);

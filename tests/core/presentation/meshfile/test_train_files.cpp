@@ -1,10 +1,10 @@
 #include <QtTest>
 #include <numbers>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/presentation/mechanism_scene/mechanism_scene.h"
 #include "core/presentation/meshfile/train_files.h"
-#include "core/presentation/train_stage/train_stage.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/matroid_analysis.h"
 #include "tests/core/presentation/meshfile/assembly_check.h"
@@ -16,8 +16,8 @@ using namespace geargraph::test;
 
 namespace {
 
-StagePtr stageOf(const Mechanism& mechanism, GearCache& cache) {
-  return trainStage(*analyzeLive(std::make_shared<const Mechanism>(mechanism)), cache);
+MechanismScenePtr stageOf(const Mechanism& mechanism, GearCache& cache) {
+  return mechanismScene(*analyzeLive(std::make_shared<const Mechanism>(mechanism)), cache);
 }
 
 /// An example of the program with its gears and the rates of its joints.
@@ -203,7 +203,7 @@ class TestTrainFiles : public QObject {
   void framesAreThoseOfTheWindow() {
     const Example robot("robot");
     GearCache cache;
-    const StagePtr stage = stageOf(robot.mechanism, cache);
+    const MechanismScenePtr stage = stageOf(robot.mechanism, cache);
     const Assembly assembly = robot.assembly(robot.rates);
     const auto times = frameTimes(pitchRates(robot.placed(), robot.rates), kMinFrames);
     for (std::size_t frame = 0; frame < times.size(); ++frame) {

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/report/report.h"
-#include "core/teaching/comparison/comparison_families.h"
+#include "core/teaching/derivation/comparison_families.h"
 #include "tests/core/presentation/report/derived_report.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
@@ -108,7 +108,7 @@ class ReportTest : public QObject {
     QCOMPARE(points, familyCounts().size());
     // A row of n gears: (n - 1)(n - 2) / 2 products by the inverse, n - 2 by substitution, and no sums.
     for (std::size_t i = 0; i < found[0].charts[0].curves[0].points.size(); ++i) {
-      const SheetPoint inverse = found[0].charts[0].curves[0].points[i];
+      const CanvasPoint inverse = found[0].charts[0].curves[0].points[i];
       const double n = inverse.x;
       QCOMPARE(inverse.y, (n - 1) * (n - 2) / 2);
       QCOMPARE(found[0].charts[0].curves[1].points[i].y, n - 2);
@@ -245,14 +245,14 @@ class ReportTest : public QObject {
     const Report report = reportOf(gearbox);
     check(report);
     const std::string cutsets = numbered(report, true).at(19);
-    for (const CouplingId& engaged : gearbox.engaged)
+    for (const ShiftElementId& engaged : gearbox.engaged)
       QVERIFY2(cutsets.find("T_{" + engaged.text() + "}") != std::string::npos, cutsets.c_str());
     QVERIFY(cutsets.find("T_{E}") == std::string::npos);
   }
 
   void loadsThatNothingHoldsAreReportedInTheDerivation() {
     Mechanism robot = loadedRobot();
-    robot.balances = std::vector<Balance>{{JointId("8")}};
+    robot.balances = std::vector<HoldingTorque>{{JointId("8")}};
     const Report report = reportOf(robot);
     check(report);
     QVERIFY(reportMarkdown(report).find("Nothing holds this motion") != std::string::npos);

@@ -2,8 +2,8 @@
 #include <QtTest>
 #include <set>
 
-#include "core/foundations/base/spoken.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/foundations/base/locale.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/report/report.h"
 #include "tests/core/support/example_files.h"
@@ -30,7 +30,7 @@ std::vector<std::string> namesIn(const Mechanism& mechanism) {
     names.push_back(link.id.text());
   }
   for (const Axis& axis : mechanism.axes) names.push_back(axis.id.text());
-  for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+  for (const ShiftElement& coupling : mechanism.couplings) names.push_back(coupling.id.text());
   for (const ShiftState& state : mechanism.states) names.push_back(state.name);
   return names;
 }
@@ -159,7 +159,7 @@ class ReportWordsTest : public QObject {
     const QString german = QString::fromStdString(allFormulas());
     QString inEnglish;
     {
-      const InEnglish scope;
+      const EnglishScope scope;
       inEnglish = QString::fromStdString(allFormulas());
     }
     setDecimalSign('.');

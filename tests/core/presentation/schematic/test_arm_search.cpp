@@ -77,9 +77,9 @@ std::vector<LinkLine> randomLines(std::mt19937& random, bool whole) {
   std::vector<LinkLine> lines;
   const int count = 5 + static_cast<int>(random() % 25);
   for (int i = 0; i < count; ++i) {
-    const SheetPoint from{number(400), number(250)};
+    const CanvasPoint from{number(400), number(250)};
     const unsigned way = static_cast<unsigned>(random() % 7);
-    const SheetPoint to{way < 3 ? from.x : number(400), way > 0 && way < 5 ? number(250) : from.y};
+    const CanvasPoint to{way < 3 ? from.x : number(400), way > 0 && way < 5 ? number(250) : from.y};
     const double penalty = std::array<double, 3>{0, 60, -1}[random() % 3];
     lines.push_back({from, to, static_cast<int>(random() % 4) - 1, penalty});
   }

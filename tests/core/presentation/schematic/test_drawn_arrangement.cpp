@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/machine/arrangement/arrangement.h"
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/arrangement.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/presentation/schematic/drawn_train.h"
 #include "core/presentation/schematic/schematic.h"
 #include "core/presentation/schematic/shaft_plan.h"
@@ -46,11 +46,11 @@ struct Drawn {
     return find(part.meshLabels, document.mechanism().meshLabel(position));
   }
   /// The sheet's axis of a class of the document; -1: it is not drawn.
-  [[nodiscard]] int axis(int axisClass) const {
-    const AxisClasses& classes = *document.placement().classes;
+  [[nodiscard]] int axis(int axisGroup) const {
+    const AxisGroups& classes = *document.placement().classes;
     for (std::size_t j = 0; j < classes.classOf.size(); ++j) {
       const int drawn = joint(static_cast<int>(j));
-      if (classes.classOf[j] == axisClass && drawn >= 0) return plan.bearings[at(drawn)].axis;
+      if (classes.classOf[j] == axisGroup && drawn >= 0) return plan.bearings[at(drawn)].axis;
     }
     return -1;
   }
@@ -129,7 +129,7 @@ const char* nameOf(AxisPlace::Kind kind) {
 }
 
 /// Where the bars of a joint's bearing are on the sheet.
-std::optional<SheetPoint> barsOf(const SchematicGeometry& drawing, const ElementId& joint) {
+std::optional<CanvasPoint> barsOf(const SchematicGeometry& drawing, const ElementId& joint) {
   for (const Mark& mark : drawing.marks) {
     const auto* stroke = std::get_if<Stroke>(&mark.what);
     if (stroke == nullptr || mark.element != joint || mark.role != MarkRole::line) continue;
@@ -228,8 +228,8 @@ class TestDrawnArrangement : public QObject {
     for (const auto& [name, mechanism] : allTrains()) {
       const Drawn drawn(mechanism);
       for (const ShaftSegment& shaft : drawn.arrangement().shafts) {
-        const int axis = drawn.axis(shaft.axisClass);
-        const bool turns = drawn.document.placement().classes->classOfLink(shaft.link) == shaft.axisClass;
+        const int axis = drawn.axis(shaft.axisGroup);
+        const bool turns = drawn.document.placement().classes->classOfLink(shaft.link) == shaft.axisGroup;
         if (axis < 0 || !turns || shaft.link == 0 || drawn.link(shaft.link) < 0) continue;
         ++shafts;
         QVERIFY2(drawn.plan.shaft(axis, drawn.link(shaft.link), 0) != nullptr,

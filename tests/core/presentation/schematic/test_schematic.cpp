@@ -23,8 +23,8 @@ QString nameOf(const ElementId& element) {
 }
 
 struct Segment {
-  SheetPoint from;
-  SheetPoint to;
+  CanvasPoint from;
+  CanvasPoint to;
   ElementId element;
   std::optional<int> link;  ///< whose colour it has
 };
@@ -35,7 +35,7 @@ std::vector<Segment> segmentsOf(const SchematicGeometry& geometry) {
   for (const Mark& mark : geometry.marks) {
     const auto* stroke = std::get_if<Stroke>(&mark.what);
     if (stroke == nullptr) continue;
-    const auto add = [&](SheetPoint from, SheetPoint to) {
+    const auto add = [&](CanvasPoint from, CanvasPoint to) {
       segments.push_back({from, to, mark.element, stroke->tint.link});
     };
     if (const auto* line = std::get_if<Polyline>(&stroke->shape)) {
@@ -90,7 +90,7 @@ QStringList labelsInTheWay(const SchematicGeometry& geometry) {
 QStringList crossings(const SchematicGeometry& geometry) {
   QStringList found;
   const std::vector<Segment> segments = segmentsOf(geometry);
-  const auto side = [](SheetPoint p, const Segment& s) { return dot(turned(s.to - s.from), p - s.from); };
+  const auto side = [](CanvasPoint p, const Segment& s) { return dot(turned(s.to - s.from), p - s.from); };
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const Segment& a = segments[i];
@@ -119,7 +119,7 @@ QStringList missing(const Mechanism& mechanism, const SchematicGeometry& geometr
   };
   for (std::size_t i = 1; i < mechanism.links.size(); ++i) check(mechanism.links[i].id);
   for (const TurningJoint& joint : mechanism.turningJoints) check(joint.id);
-  for (const Coupling& coupling : mechanism.couplings) check(coupling.id);
+  for (const ShiftElement& coupling : mechanism.couplings) check(coupling.id);
   const Placement placement = placementOf(mechanism);
   for (std::size_t m = 0; m < mechanism.gearMeshes.size(); ++m) {
     if (placement.meshes[m]) check(mechanism.gearMeshes[m].id);
@@ -290,7 +290,7 @@ class TestSchematic : public QObject {
   void brakesAndClutchesHaveTwoPlates() {
     const Mechanism mechanism = example("simpson");  // B1 and B2 hold links, C ties two
     const SchematicGeometry geometry = schematicGeometry(mechanism);
-    for (const Coupling& coupling : mechanism.couplings) {
+    for (const ShiftElement& coupling : mechanism.couplings) {
       std::vector<Polyline> plates;
       int hatches = 0;
       for (const Mark& mark : geometry.marks) {
@@ -300,10 +300,10 @@ class TestSchematic : public QObject {
         if (stroke != nullptr && stroke->width > 2.5) plates.push_back(std::get<Polyline>(stroke->shape));
       }
       QCOMPARE(plates.size(), std::size_t{2});
-      const SheetPoint across = unit(plates[0].points[1] - plates[0].points[0]);
-      const SheetPoint between = plates[1].points[0] - plates[0].points[0];
+      const CanvasPoint across = unit(plates[0].points[1] - plates[0].points[0]);
+      const CanvasPoint between = plates[1].points[0] - plates[0].points[0];
       QVERIFY(std::abs(dot(between, across)) < 1e-6 && length(between) > 3);  // they face each other
-      QCOMPARE(hatches > 0, coupling.kind == CouplingKind::brake);
+      QCOMPARE(hatches > 0, coupling.kind == ShiftElementKind::brake);
     }
     Mechanism without = mechanism;
     without.couplings.clear();

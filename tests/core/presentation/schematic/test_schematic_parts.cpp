@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/drawn_part.h"
 #include "core/presentation/schematic/drawn_train.h"
@@ -99,7 +99,7 @@ class TestSchematicParts : public QObject {
     QVERIFY(course.has_value());
     QCOMPARE(course->crossings, 0);
     QVERIFY(course->points.size() > 2);
-    QCOMPARE(course->points.back(), (SheetPoint{100, 0}));
+    QCOMPARE(course->points.back(), (CanvasPoint{100, 0}));
   }
 
   void armsCrossOnlyWhereThereIsNoWayRound() {
@@ -114,7 +114,7 @@ class TestSchematicParts : public QObject {
     ArmRouter router(lines, {{100, 20}, {10, 6}});
     const auto course = router.route(3, {{{10, 6}, {10, 6}, 3, 0}}, {{100, 20}});
     QVERIFY(course.has_value());
-    QCOMPARE(course->points.front(), (SheetPoint{10, 6}));
+    QCOMPARE(course->points.front(), (CanvasPoint{10, 6}));
     QCOMPARE(router.route(3, {}, {{100, 20}})->length, 0.0);  // from the course before
   }
 
@@ -126,7 +126,7 @@ class TestSchematicParts : public QObject {
 
   void armsEndWhereWayAndPriceTogetherAreLeast() {
     const std::vector<LinkLine> lines{{{0, 0}, {10, 0}, 3, 0}};
-    const std::vector<SheetPoint> ends{{200, 0}, {100, 0}};
+    const std::vector<CanvasPoint> ends{{200, 0}, {100, 0}};
     const auto ended = [&](const std::vector<double>& prices) {
       return ArmRouter(lines, ends).route(3, {}, ends, prices)->target;
     };
@@ -203,7 +203,7 @@ class TestSchematicParts : public QObject {
                                    [](const SheetWheel& wheel) { return wheel.link == 3; });
     QCOMPARE(high, ring->at);
     const auto atRim = std::find_if(plan.walls.begin(), plan.walls.end(), [&](const SheetWall& wall) {
-      return wall.link == 3 && wall.to == SheetPoint{ring->at, ring->radius + kRimHeight};
+      return wall.link == 3 && wall.to == CanvasPoint{ring->at, ring->radius + kRimHeight};
     });
     QVERIFY(atRim != plan.walls.end());
     const SheetBearing& planet = plan.bearings[4];

@@ -12,21 +12,21 @@ namespace {
 struct MouseHand {
   Mechanism mechanism = emptyMechanism();
 
-  [[nodiscard]] SheetFrame frame() const { return schematicGeometry(mechanism).frame; }
+  [[nodiscard]] CanvasFrame frame() const { return schematicGeometry(mechanism).frame; }
   /// A place by the coordinates of space that the sheet shows: along to the right, height upward.
-  [[nodiscard]] SheetPoint place(double along, double height) const {
-    const SheetFrame f = frame();
-    return f.origin + SheetPoint{along * f.scale, -height * f.scale};
+  [[nodiscard]] CanvasPoint place(double along, double height) const {
+    const CanvasFrame f = frame();
+    return f.origin + CanvasPoint{along * f.scale, -height * f.scale};
   }
-  void shaft(SheetPoint from, SheetPoint to, LinkId carrier = {}) {
+  void shaft(CanvasPoint from, CanvasPoint to, LinkId carrier = {}) {
     mechanism = withShaftOnSheet(mechanism, frame(), {from, to, carrier}).value();
   }
-  void mesh(int tail, int head, SheetPoint from, SheetPoint to) {
+  void mesh(int tail, int head, CanvasPoint from, CanvasPoint to) {
     mechanism = withMeshOnSheet(mechanism, frame(), {link(tail), link(head), from, to}).value();
   }
   [[nodiscard]] LinkId link(int label) const { return mechanism.links[static_cast<std::size_t>(label)].id; }
-  [[nodiscard]] SheetPoint on(int joint) const {
-    const SheetFrame f = frame();
+  [[nodiscard]] CanvasPoint on(int joint) const {
+    const CanvasFrame f = frame();
     return f.line(mechanism.turningJoints[static_cast<std::size_t>(joint)].axis)->at;
   }
 };
@@ -56,7 +56,7 @@ class TestSheetEdits : public QObject {
   void aShaftOnAnAxisSharesIt() {
     MouseHand hand;
     hand.shaft({0, 0}, {80, 0});
-    hand.shaft(hand.on(0) + SheetPoint{60, 3}, hand.on(0) + SheetPoint{120, 3});
+    hand.shaft(hand.on(0) + CanvasPoint{60, 3}, hand.on(0) + CanvasPoint{120, 3});
     QCOMPARE(hand.mechanism.axes.size(), std::size_t{1});
     QCOMPARE(hand.mechanism.turningJoints[1].axis, hand.mechanism.turningJoints[0].axis);
   }
@@ -83,12 +83,12 @@ class TestSheetEdits : public QObject {
   void aPlanetarySetIsDrawnInFiveSteps() {
     MouseHand hand;
     hand.shaft({0, 0}, {60, 0});                                     // 1: sun
-    hand.shaft(hand.on(0), hand.on(0) + SheetPoint{60, 0});          // 2: carrier
+    hand.shaft(hand.on(0), hand.on(0) + CanvasPoint{60, 0});         // 2: carrier
     hand.shaft(hand.place(0, 42), hand.place(0, 42), hand.link(2));  // 3: planet
     QCOMPARE(hand.mechanism.turningJoints[2].tail, hand.link(2));
     hand.mesh(1, 3, hand.on(0), hand.on(2));
     QCOMPARE(hand.mechanism.gearMeshes[0].tailTeeth + hand.mechanism.gearMeshes[0].headTeeth, 42);
-    hand.mesh(3, 0, hand.on(2), hand.on(2) - SheetPoint{0, 80});
+    hand.mesh(3, 0, hand.on(2), hand.on(2) - CanvasPoint{0, 80});
     const GearMesh& ring = hand.mechanism.gearMeshes[1];
     QCOMPARE(ring.kind, std::optional(MeshKind::internal));
     QCOMPARE(ring.tailTeeth, hand.mechanism.gearMeshes[0].headTeeth);

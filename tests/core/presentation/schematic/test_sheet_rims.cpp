@@ -33,9 +33,9 @@ class TestSheetRims : public QObject {
     for (const SheetRim& rim : drawn.rims) {
       const bool ofTail = rim.link == mesh.tail;
       const int before = ofTail ? mesh.tailTeeth : mesh.headTeeth;
-      const SheetPoint from = rim.from;
+      const CanvasPoint from = rim.from;
       const auto after = [&](double teeth) {
-        const SheetPoint to = from + (teeth * rim.height / before) * rim.out;
+        const CanvasPoint to = from + (teeth * rim.height / before) * rim.out;
         return teethDragged(pair, rim, from, to).value();
       };
       QCOMPARE(after(0).teeth, before);

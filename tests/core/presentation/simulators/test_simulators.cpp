@@ -2,7 +2,7 @@
 #include <QXmlStreamReader>
 #include <memory>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/mechanism/model/mass_edits.h"
 #include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/simulators/xml_text.h"

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> namesIn(const Mechanism& mechanism) {
   std::vector<std::string> names{"rad"};
-  for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+  for (const ShiftElement& coupling : mechanism.couplings) names.push_back(coupling.id.text());
   for (const ShiftState& state : mechanism.states) names.push_back(state.name);
   return names;
 }

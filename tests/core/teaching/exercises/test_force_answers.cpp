@@ -67,7 +67,7 @@ class ForceAnswersTest : public QObject {
     std::map<std::string, Rational> sizes;
     for (std::size_t part = 0; part < held.size(); ++part) {
       if (held[part].coupling < 0) continue;
-      const Coupling& coupling = box.mechanism.couplings[static_cast<std::size_t>(held[part].coupling)];
+      const ShiftElement& coupling = box.mechanism.couplings[static_cast<std::size_t>(held[part].coupling)];
       sizes[coupling.id.text()] = torques.chords[part].fraction().value();
     }
     return sizes;

@@ -203,7 +203,8 @@ class IndependentAnswersTest : public QObject {
 
     if (!reasonAgainst(source, ExerciseKind::inputs)) {
       const Question inputs = makeQuestion(source, ExerciseKind::inputs, random);
-      const auto sets = InputSets::of(*source.snapshot()->kinematics->model, FusedField(), source.inputs());
+      const auto sets =
+          InputSets::of(*source.snapshot()->kinematics->model, ModularDoubleField(), source.inputs());
       std::set<std::vector<int>> valid;
       for (std::vector<int>& set : sets->list(400)) valid.insert(set);
       const bool isComplete = valid.size() < 400;

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "core/foundations/base/spoken.h"
+#include "core/foundations/base/locale.h"
 #include "core/teaching/force_tables/cutset_words.h"
 #include "core/teaching/force_tables/efficiency_table.h"
 #include "tests/core/support/gearboxes.h"
@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string> namesIn(const Mechanism& mechanism) {
   std::vector<std::string> names{"rad"};
   for (const Link& link : mechanism.links) names.push_back(link.name);
-  for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+  for (const ShiftElement& coupling : mechanism.couplings) names.push_back(coupling.id.text());
   return names;
 }
 
@@ -144,7 +144,7 @@ class TestForceWords : public QObject {
     const std::string german = shownNumber(12.5);
     std::string inEnglish;
     {
-      const InEnglish english;
+      const EnglishScope english;
       inEnglish = shownNumber(12.5);
     }
     setDecimalSign('.');

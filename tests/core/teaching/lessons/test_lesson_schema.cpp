@@ -39,9 +39,9 @@ class LessonSchemaTest : public QObject {
   void everyQuantityIsInTheSchemaAndOnThePage() {
     const std::string schema = fileText("resources/schema/lesson.schema.json");
     const std::string page = fileText("resources/lessons/README.md");
-    for (int i = 0; i <= static_cast<int>(Quantity::leverPlace); ++i) {
-      const std::string name(quantityName(static_cast<Quantity>(i)));
-      QCOMPARE(quantityFromName(name), std::optional(static_cast<Quantity>(i)));
+    for (int i = 0; i <= static_cast<int>(LessonQuantity::leverPlace); ++i) {
+      const std::string name(quantityName(static_cast<LessonQuantity>(i)));
+      QCOMPARE(quantityFromName(name), std::optional(static_cast<LessonQuantity>(i)));
       QVERIFY2(schema.find('"' + name + '"') != std::string::npos, name.c_str());
       QVERIFY2(page.find('`' + name + '`') != std::string::npos, name.c_str());
     }

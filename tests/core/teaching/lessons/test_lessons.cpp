@@ -20,7 +20,7 @@ class LessonsTest : public QObject {
     if (!result) qFatal("%s: %s", lesson.id.c_str(), result.error().front().message.c_str());
     return std::move(result).value();
   }
-  static Rational number(const Mechanism& mechanism, Quantity quantity, const std::string& of = {}) {
+  static Rational number(const Mechanism& mechanism, LessonQuantity quantity, const std::string& of = {}) {
     LessonAnalysis analysis(std::make_shared<const Mechanism>(mechanism));
     return analysis.valuesOf({quantity, of}).value().numbers.at(0);
   }
@@ -113,28 +113,28 @@ class LessonsTest : public QObject {
 
   void quantitiesAreThoseOfTheAnalysis() {
     const Mechanism robot = test::example("robot");
-    QCOMPARE(number(robot, Quantity::links), Rational(7));
-    QCOMPARE(number(robot, Quantity::bevelMeshes), Rational(3));
-    QCOMPARE(number(robot, Quantity::dof), Rational(3));
-    QCOMPARE(number(robot, Quantity::rate, "10"), Rational(-1, 2));
-    QCOMPARE(number(test::example("ravigneaux"), Quantity::ratio, "1"), Rational(72, 30));
+    QCOMPARE(number(robot, LessonQuantity::links), Rational(7));
+    QCOMPARE(number(robot, LessonQuantity::bevelMeshes), Rational(3));
+    QCOMPARE(number(robot, LessonQuantity::dof), Rational(3));
+    QCOMPARE(number(robot, LessonQuantity::rate, "10"), Rational(-1, 2));
+    QCOMPARE(number(test::example("ravigneaux"), LessonQuantity::ratio, "1"), Rational(72, 30));
     LessonAnalysis analysis(std::make_shared<const Mechanism>(robot));
-    QCOMPARE(analysis.valuesOf({Quantity::transferVertex, "17"})->elements,
+    QCOMPARE(analysis.valuesOf({LessonQuantity::transferVertex, "17"})->elements,
              std::vector<ElementId>{LinkId("2")});
-    QCOMPARE(analysis.valuesOf({Quantity::cycle, "16"})->elements,
+    QCOMPARE(analysis.valuesOf({LessonQuantity::cycle, "16"})->elements,
              (std::vector<ElementId>{JointId("9"), JointId("10"), JointId("12")}));
     LessonAnalysis faulty(std::make_shared<const Mechanism>(test::example("robot-to-mend")));
-    QVERIFY(!faulty.valuesOf({Quantity::dof, ""}).has_value());
-    const auto blamed = faulty.valuesOf({Quantity::blamed, "turning-loop"})->elements;
+    QVERIFY(!faulty.valuesOf({LessonQuantity::dof, ""}).has_value());
+    const auto blamed = faulty.valuesOf({LessonQuantity::blamed, "turning-loop"})->elements;
     QVERIFY(std::find(blamed.begin(), blamed.end(), ElementId(JointId("19"))) != blamed.end());
-    QCOMPARE(faulty.valuesOf({Quantity::rate, "x"}).error().front().code, Code::unknownId);
+    QCOMPARE(faulty.valuesOf({LessonQuantity::rate, "x"}).error().front().code, Code::unknownId);
   }
 
   /// A torque 10 N m on the driven gear of a pair 20 : 30 needs 20/3 N m at the driver, in the same sense.
   void torquesAreThatHoldTheLoads() {
     Mechanism pair = test::example("spur-pair");
     pair.loads.push_back({LoadId(), JointTorque{JointId("4"), Number(10)}});
-    QCOMPARE(number(pair, Quantity::torque, "3"), Rational(20, 3));
+    QCOMPARE(number(pair, LessonQuantity::torque, "3"), Rational(20, 3));
   }
 
   void faultsOfAuthorsAreNamed() {
@@ -174,15 +174,15 @@ class LessonsTest : public QObject {
   void drawingsAreJudgedByWhatTheyDo() {
     DrawTask task;
     // Member by member: of braces with optional strings, GCC 12 warns that they may not be set.
-    const auto add = [&](Quantity quantity, const char* value, const char* reason) {
+    const auto add = [&](LessonQuantity quantity, const char* value, const char* reason) {
       DrawingCondition& condition = task.conditions.emplace_back();
       condition.quantity.quantity = quantity;
       condition.least = value;
       condition.most = value;
       condition.reason = reason;
     };
-    add(Quantity::errors, "0", "There is an error.");
-    add(Quantity::outputRates, "-2/3", "The speed is another.");
+    add(LessonQuantity::errors, "0", "There is an error.");
+    add(LessonQuantity::outputRates, "-2/3", "The speed is another.");
     task.rule = "So it is.";
     const auto check = [&](const Mechanism& drawing) {
       return checkDrawing(task, std::make_shared<const Mechanism>(drawing));

@@ -29,7 +29,7 @@ SnapshotPtr analysed(const Mechanism& mechanism) {
   return snapshot;
 }
 
-Mechanism engaging(const Mechanism& mechanism, const std::vector<CouplingId>& couplings) {
+Mechanism engaging(const Mechanism& mechanism, const std::vector<ShiftElementId>& couplings) {
   return withEngagement(mechanism, couplings).value();
 }
 
@@ -69,12 +69,12 @@ void engagedCouplingsHold(const AnalysisSnapshot& snapshot) {
                             mechanism.links.begin());
   };
   for (const int position : engagedCouplings(mechanism)) {
-    const Coupling& coupling = mechanism.couplings[static_cast<std::size_t>(position)];
+    const ShiftElement& coupling = mechanism.couplings[static_cast<std::size_t>(position)];
     Vector3 slip = velocityOf(snapshot, linkAt(coupling.links.front()), rates);
-    if (coupling.kind == CouplingKind::clutch)
+    if (coupling.kind == ShiftElementKind::clutch)
       slip = slip - velocityOf(snapshot, linkAt(coupling.links.back()), rates);
     QVERIFY2(length(slip) <= 1e-9 * fastest, qPrintable(QString::fromStdString(coupling.id.text())));
-    if (coupling.kind == CouplingKind::brake)
+    if (coupling.kind == ShiftElementKind::brake)
       QVERIFY(absoluteSpeed(snapshot.kinematics->placement(), rates, linkAt(coupling.links.front())).empty());
   }
 }
@@ -121,7 +121,7 @@ Mechanism randomGearbox(int seed, int links, int couplings) {
   train = test::moved(train, test::rotation(1 + below(4), below(4), below(3) - 1, below(4)),
                       {below(90), -below(70), Rational(below(500), 11)});
   const Placement placement = placementOf(train);
-  std::vector<CouplingId> engaged;
+  std::vector<ShiftElementId> engaged;
   for (int i = 0; i < couplings; ++i) {
     const LinkId one = train.links[static_cast<std::size_t>(1 + below(train.n()))].id;
     const LinkId other = train.links[static_cast<std::size_t>(1 + below(train.n()))].id;
@@ -138,7 +138,7 @@ Mechanism randomGearbox(int seed, int links, int couplings) {
 Mechanism heldPlanetary() {
   Mechanism set = test::planetary(18, 27);
   set.inputs = {{set.turningJoints[0].id, Number(1), {}}, {set.turningJoints[1].id, Number(7), {}}};
-  return engaging(*withBrake(set, set.links[2].id), {CouplingId("A")});
+  return engaging(*withBrake(set, set.links[2].id), {ShiftElementId("A")});
 }
 
 }  // namespace
@@ -206,11 +206,11 @@ class EngagementTest : public QObject {
 
   void couplingsAcrossAxesHoldEveryDirection() {
     const Mechanism differential = test::bevelDifferential();
-    for (const Coupling& coupling : differential.couplings) {
+    for (const ShiftElement& coupling : differential.couplings) {
       const SnapshotPtr snapshot = analysed(engaging(differential, {coupling.id}));
       bothMethodsAgreeAsEngaged(*snapshot);
       // A brake on the pinion holds the carrier too: two rows, of one coupling.
-      if (coupling.id == CouplingId("P")) {
+      if (coupling.id == ShiftElementId("P")) {
         QCOMPARE(snapshot->kinematics->model->held().size(), std::size_t(2));
         QVERIFY(has(*snapshot, Code::locked));
       }
@@ -232,7 +232,7 @@ class EngagementTest : public QObject {
     for (const int central : {0, 1, 2}) {
       const auto error = errorOf(4, central);
       QVERIFY(error && error->severity() == Severity::error && error->code == Code::turningLoop);
-      QVERIFY(error->elements.front() == ElementId(CouplingId("A")));
+      QVERIFY(error->elements.front() == ElementId(ShiftElementId("A")));
       QVERIFY(error->message.find("their axes are not one line") != std::string::npos);
     }
   }
@@ -253,7 +253,7 @@ class EngagementTest : public QObject {
     for (const Mechanism& mechanism : {held, withTeeth(held, held.gearMeshes[0].id, 24, 27).value(),
                                        withName(held, held.links[1].id, "sun").value()}) {
       const SnapshotPtr snapshot = analysed(mechanism);
-      QCOMPARE(mechanism.engaged, std::vector{CouplingId("A")});
+      QCOMPARE(mechanism.engaged, std::vector{ShiftElementId("A")});
       QCOMPARE(snapshot->matroid()->dof, 1);
       QCOMPARE(snapshot->matroid()->choice.joints, std::vector{0});
       QCOMPARE(snapshot->solved->exact->rates[1], Rational(0));
@@ -289,18 +289,18 @@ class EngagementTest : public QObject {
     box = engaging(box, state);
     QVERIFY(!has(*analysed(box), Code::redundantCoupling) && !has(*analysed(box), Code::deadJoint));
     box = *withBrake(box, box.couplings[0].links.front(), "A2");  // holds what A holds
-    box.engaged.push_back(CouplingId("A2"));
+    box.engaged.push_back(ShiftElementId("A2"));
     const SnapshotPtr snapshot = analysed(box);
     const Diagnostic& diagnostic = diagnosticOf(*snapshot, Code::redundantCoupling);
     QCOMPARE(diagnostic.message, std::string("Brake A2 is engaged and holds nothing that could move: that "
                                              "follows from brake A."));
-    QVERIFY(diagnostic.elements.front() == ElementId(CouplingId("A2")));
+    QVERIFY(diagnostic.elements.front() == ElementId(ShiftElementId("A2")));
     bothMethodsAgreeAsEngaged(*snapshot);
   }
 
   void aLockedEngagementNamesItsCouplings() {
     Mechanism box = test::eightSpeed();
-    box = engaging(box, {CouplingId("A"), CouplingId("B"), CouplingId("C"), CouplingId("D")});
+    box = engaging(box, {ShiftElementId("A"), ShiftElementId("B"), ShiftElementId("C"), ShiftElementId("D")});
     const SnapshotPtr snapshot = analysed(box);
     QCOMPARE(snapshot->matroid()->dof, 0);
     const Diagnostic& diagnostic = diagnosticOf(*snapshot, Code::locked);
@@ -320,23 +320,23 @@ class EngagementTest : public QObject {
         joints << QString::fromStdString(input.joint.text() + ":" + input.speed.text());
       return joints.join(QLatin1Char(' '));
     };
-    Mechanism now = *withCouplingEngaged(box, CouplingId("A"), true);
+    Mechanism now = *withCouplingEngaged(box, ShiftElementId("A"), true);
     QCOMPARE(drivenBy(now), QStringLiteral("13:1 15:0 18:1"));
-    now = *withCouplingEngaged(now, CouplingId("C"), true);
+    now = *withCouplingEngaged(now, ShiftElementId("C"), true);
     QCOMPARE(drivenBy(now), QStringLiteral("13:1 15:0"));
-    now = *withCouplingEngaged(now, CouplingId("A"), false);
+    now = *withCouplingEngaged(now, ShiftElementId("A"), false);
     QCOMPARE(drivenBy(now), QStringLiteral("13:1 15:0 14:0"));
     QVERIFY(!hasErrors(analysed(now)->diagnostics));
     Mechanism chosen = box;
     chosen.inputs.reset();
-    QVERIFY(!withCouplingEngaged(chosen, CouplingId("A"), true)->inputs);
-    QCOMPARE(withCouplingEngaged(box, CouplingId("X"), false).error()[0].code, Code::unknownId);
+    QVERIFY(!withCouplingEngaged(chosen, ShiftElementId("A"), true)->inputs);
+    QCOMPARE(withCouplingEngaged(box, ShiftElementId("X"), false).error()[0].code, Code::unknownId);
   }
 
   void statesAreSolvedWhateverIsEngaged() {
     const Mechanism box = test::eightSpeed();
     const SnapshotPtr bare = analysed(box);
-    const SnapshotPtr engaged = analysed(engaging(box, {CouplingId("B"), CouplingId("E")}));
+    const SnapshotPtr engaged = analysed(engaging(box, {ShiftElementId("B"), ShiftElementId("E")}));
     QCOMPARE(engaged->matroid()->dof, 2);
     for (std::size_t i = 0; i < box.states.size(); ++i)
       QCOMPARE((*engaged->states)[i].ratio, (*bare->states)[i].ratio);

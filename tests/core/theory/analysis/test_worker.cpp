@@ -8,7 +8,7 @@
 #include <mutex>
 #include <random>
 
-#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/body_layout/derived_geometry.h"
 #include "core/theory/analysis/worker.h"
 #include "tests/core/support/mechanisms.h"
 

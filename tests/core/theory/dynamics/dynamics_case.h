@@ -3,7 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/body_layout/complete_train.h"
 #include "core/theory/dynamics/dynamics_report.h"
 #include "tests/core/support/matroid_fixture.h"
 

@@ -161,7 +161,7 @@ class TestLevers : public QObject {
     const Mechanism simpson = example("simpson");
     const Worked worked(simpson);
     int clutch = 0;
-    while (simpson.couplings[static_cast<std::size_t>(clutch)].kind != CouplingKind::clutch) ++clutch;
+    while (simpson.couplings[static_cast<std::size_t>(clutch)].kind != ShiftElementKind::clutch) ++clutch;
     const auto rows = heldRows(simpson, worked.placement, clutch);
     const auto plan = leverPlanOf(worked.model, worked.placement, rows);
     QCOMPARE(plan->freedom, 1);
@@ -308,7 +308,7 @@ class TestLevers : public QObject {
         QVERIFY2(std::abs(apart) <= 1e-9 * size, name.c_str());
         ++meshes;
       }
-      for (const ClassOrdinal axis : plan.axes.ordinals()) {
+      for (const AxisGroupOrdinal axis : plan.axes.ordinals()) {
         const LinkOrdinal carrier = worked.placement.classes->classes[axis].rootLink;
         const double apart = at(carrier, plan.axes[axis].height) - plan.axes[axis].velocity;
         QVERIFY2(std::abs(apart) <= 1e-9 * size, name.c_str());

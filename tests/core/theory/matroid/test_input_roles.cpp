@@ -43,7 +43,7 @@ class TestInputRoles : public QObject {
         std::vector<int> set = solution.inputs;
         std::replace(set.begin(), set.end(), input, output);
         const bool may = std::find(commanded.begin(), commanded.end(), output) != commanded.end();
-        const FusedField field;
+        const ModularDoubleField field;
         const std::vector<Rational> speeds(set.size(), 1);
         QCOMPARE(solveLive(worked.model, field, set, speeds).has_value(), may);
       }

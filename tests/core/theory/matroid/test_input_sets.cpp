@@ -15,7 +15,7 @@ using Sets = std::vector<std::vector<int>>;
 
 /// All valid sets by trying every set of E joints.
 Sets tried(const Worked& worked) {
-  const FusedField field;
+  const ModularDoubleField field;
   Sets sets;
   std::vector<int> set;
   const auto extend = [&](const auto& self, int from) -> void {
@@ -35,7 +35,7 @@ Sets tried(const Worked& worked) {
 }
 
 InputSets setsOf(const Worked& worked) {
-  return *InputSets::of(worked.model, FusedField(), worked.analysis.choice.joints);
+  return *InputSets::of(worked.model, ModularDoubleField(), worked.analysis.choice.joints);
 }
 
 Rational power(std::int64_t base, int exponent) {
@@ -223,7 +223,7 @@ class TestInputSets : public QObject {
     QCOMPARE(sets.size(), std::size_t{3});  // itself, 2 for 1, 4 for 3
     for (const auto& set : sets) {
       const std::vector<Rational> speeds(set.size(), Rational(1));
-      QVERIFY(solveLive(worked.model, FusedField(), set, speeds).has_value());
+      QVERIFY(solveLive(worked.model, ModularDoubleField(), set, speeds).has_value());
     }
     QCOMPARE(*setsOf(worked).count(), Rational(4));
   }

@@ -78,7 +78,7 @@ class TestScrews : public QObject {
   void theOffsetRotationTurnsAboutX() {
     for (int degrees = -180; degrees <= 180; degrees += 15) {
       const double phi = degrees * std::numbers::pi / 180;
-      const Triple<Vector3> rows = offsetRotation(phi);
+      const Vector3Of<Vector3> rows = offsetRotation(phi);
       for (const Vector3& axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) {
         const Vector3 image{dot(rows[0], axis), dot(rows[1], axis), dot(rows[2], axis)};
         QVERIFY(areClose(image, turned(axis, {1, 0, 0}, phi), 1e-12));

@@ -132,7 +132,7 @@ class TestStates : public QObject {
   void aStateThatLocksNamesEachCouplingThatWouldFreeIt() {
     Mechanism gearbox = eightSpeed();
     gearbox.states = {{"N",
-                       {CouplingId("A"), CouplingId("B"), CouplingId("C"), CouplingId("E")},
+                       {ShiftElementId("A"), ShiftElementId("B"), ShiftElementId("C"), ShiftElementId("E")},
                        LinkId("1"),
                        LinkId("2"),
                        {}}};
@@ -144,7 +144,7 @@ class TestStates : public QObject {
     QCOMPARE(state.diagnostics[0].severity(), Severity::warning);
     const auto& blamed = state.diagnostics[0].elements;
     const auto names = [&](const char* id) {
-      return std::find(blamed.begin(), blamed.end(), ElementId(CouplingId(id))) != blamed.end();
+      return std::find(blamed.begin(), blamed.end(), ElementId(ShiftElementId(id))) != blamed.end();
     };
     QVERIFY(names("A") && names("C") && names("E"));
     QVERIFY(!names("B"));  // A, C and E hold the drive without it: 5 = 7 = 8 = 1, but 8 turns at 3/2
@@ -159,7 +159,7 @@ class TestStates : public QObject {
     QCOMPARE(std::count_if(blamed.begin(), blamed.end(),
                            [](const ElementId& element) { return element.kind == ElementKind::coupling; }),
              1L);
-    QVERIFY(std::find(blamed.begin(), blamed.end(), ElementId(CouplingId("X"))) != blamed.end());
+    QVERIFY(std::find(blamed.begin(), blamed.end(), ElementId(ShiftElementId("X"))) != blamed.end());
   }
 
   void aStateThatLeavesFreedomNamesTheLinksThatStillTurn() {
@@ -297,18 +297,19 @@ class TestStates : public QObject {
       for (const Rational& rate : state.rates) rates.push_back(rate.toDouble());
       const auto velocity = linkVelocities(worked.model, worked.placement, rates);
       const auto at = [&](LinkId link) { return velocity[static_cast<std::size_t>(std::stoi(link.text()))]; };
-      for (const CouplingId id : worked.mechanism.states[static_cast<std::size_t>(state.state)].engaged) {
-        const Coupling& coupling = *worked.mechanism.find(id);
-        const Vector3 other = coupling.kind == CouplingKind::brake ? Vector3{} : at(coupling.links.back());
+      for (const ShiftElementId id : worked.mechanism.states[static_cast<std::size_t>(state.state)].engaged) {
+        const ShiftElement& coupling = *worked.mechanism.find(id);
+        const Vector3 other =
+            coupling.kind == ShiftElementKind::brake ? Vector3{} : at(coupling.links.back());
         QVERIFY(length(at(coupling.links.front()) - other) < 1e-12);
       }
       for (std::size_t m = 0; m < worked.placement.meshes.size(); ++m) {
         // The velocities of both gears at the pitch point agree, seen from the carrier.
         const MeshGeometry& mesh = *worked.placement.meshes[m];
-        const auto slip = [&](int gear, int axisClass) {
+        const auto slip = [&](int gear, int axisGroup) {
           return cross(
               velocity[static_cast<std::size_t>(gear)] - velocity[static_cast<std::size_t>(mesh.carrier)],
-              mesh.pitchPoint - worked.placement.lineOfClass(axisClass).point);
+              mesh.pitchPoint - worked.placement.lineOfClass(axisGroup).point);
         };
         QVERIFY(length(slip(mesh.tail, mesh.tailClass) - slip(mesh.head, mesh.headClass)) < 1e-9);
       }
@@ -325,7 +326,7 @@ class TestStates : public QObject {
       Vector3 sum{};
       for (const SpeedAbout& about : absoluteSpeed(worked.placement, exact->rates, link)) {
         QVERIFY(!about.speed.isZero());
-        sum = sum + about.speed.toDouble() * worked.placement.lineOfClass(about.axisClass).direction;
+        sum = sum + about.speed.toDouble() * worked.placement.lineOfClass(about.axisGroup).direction;
       }
       QVERIFY(length(sum - worked.analysis.linkVelocities[static_cast<std::size_t>(link)]) < 1e-12);
     }
@@ -334,8 +335,8 @@ class TestStates : public QObject {
   void deletingALinkTakesItsCouplingsOutOfTheStates() {
     const std::vector<ElementId> gone{LinkId("3")};
     const Mechanism less = *withoutElements(eightSpeed(), gone);
-    QVERIFY(less.find(CouplingId("A")) == nullptr);
-    QCOMPARE(less.states[0].engaged, (std::vector{CouplingId("B"), CouplingId("C")}));
+    QVERIFY(less.find(ShiftElementId("A")) == nullptr);
+    QCOMPARE(less.states[0].engaged, (std::vector{ShiftElementId("B"), ShiftElementId("C")}));
   }
 };
 

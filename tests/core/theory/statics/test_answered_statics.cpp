@@ -161,7 +161,7 @@ class TestAnsweredStatics : public QObject {
     const StaticsCase train(gearbox);
     StaticsOptions options = lossy({98, 100});
     options.state = 0;
-    options.balances = {{Balance::OnLink{LinkId("2"), {}}}, {Balance::OnLink{LinkId("7"), {}}}};
+    options.balances = {{HoldingTorque::OnLink{LinkId("2"), {}}}, {HoldingTorque::OnLink{LinkId("7"), {}}}};
     const StaticsReport report = reportOf(train, options);
     QVERIFY(report.lossless.isBalanced() && !report.motion && !report.isAnswered());
     QVERIFY(contains(wordsOf(report, Code::noMotion), "torques and powers are left out"));

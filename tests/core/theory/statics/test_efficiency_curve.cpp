@@ -21,7 +21,7 @@ class EfficiencyCurveTest : public QObject {
     Mechanism mechanism = test::planetary(24, 18);
     const auto& joints = mechanism.turningJoints;
     mechanism.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, ring, {}}};
-    mechanism.balances = std::vector<Balance>{{joints[1].id}, {joints[2].id}};
+    mechanism.balances = std::vector<HoldingTorque>{{joints[1].id}, {joints[2].id}};
     mechanism.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
     return mechanism;
   }
@@ -134,7 +134,7 @@ class EfficiencyCurveTest : public QObject {
     unloaded.documentLoads = false;
     QVERIFY(curveAxes(train.analysis, reportOf(train, unloaded), unloaded).empty());
     Mechanism unheld = set();
-    unheld.balances = std::vector<Balance>{{unheld.turningJoints[1].id}};
+    unheld.balances = std::vector<HoldingTorque>{{unheld.turningJoints[1].id}};
     const StaticsCase loose(unheld);
     QVERIFY(curveAxes(loose.analysis, reportOf(loose, options), options).empty());
   }
@@ -248,7 +248,7 @@ class EfficiencyCurveTest : public QObject {
     Mechanism planets = test::planetary(24, 18, 3);
     const auto& joints = planets.turningJoints;
     planets.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
-    planets.balances = std::vector<Balance>{{joints[1].id}, {joints[2].id}};
+    planets.balances = std::vector<HoldingTorque>{{joints[1].id}, {joints[2].id}};
     planets.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
     const StaticsCase train(planets);
     StaticsOptions options = lossy(Rational(49, 50));

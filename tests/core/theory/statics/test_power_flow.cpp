@@ -212,7 +212,7 @@ class TestPowerFlow : public QObject {
       for (const int coupling : report.problem.engaged) {
         const ElementPower& element = report.flow->of(ElementPower::Kind::coupling, coupling);
         QVERIFY(element.fed().isZero());
-        if (train.mechanism.couplings[static_cast<std::size_t>(coupling)].kind == CouplingKind::brake)
+        if (train.mechanism.couplings[static_cast<std::size_t>(coupling)].kind == ShiftElementKind::brake)
           QVERIFY(element.ports[0].power.isZero());
       }
     }

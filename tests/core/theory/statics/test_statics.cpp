@@ -73,7 +73,7 @@ void bothMethodsAgree(const StaticsCase& train, const StaticsProblem& problem) {
   // The same by levels, one balance a link, and in doubles.
   QVERIFY(staticsAgreement(train.model, matroid, train.solveByTtGraph(problem, 0)).equal);
   const auto live =
-      solveStaticsLive(train.model, FusedField(), train.held(problem), train.power(problem).byLink);
+      solveStaticsLive(train.model, ModularDoubleField(), train.held(problem), train.power(problem).byLink);
   QCOMPARE(live->isBalanced, matroid.isBalanced());
   QCOMPARE(live->rank, matroid.rank);
   QCOMPARE(live->indeterminate, matroid.indeterminate());
@@ -184,7 +184,7 @@ class TestStatics : public QObject {
     int sets = 0;
     for (const std::string& name : soundExamples()) {
       const StaticsCase train(example(name));
-      const auto all = InputSets::of(train.model, FusedField(), train.analysis.choice.joints);
+      const auto all = InputSets::of(train.model, ModularDoubleField(), train.analysis.choice.joints);
       for (const std::vector<int>& inputs : all->list(200)) {
         isTransposed(train, inputs);
         ++sets;
@@ -195,7 +195,8 @@ class TestStatics : public QObject {
 
   void whereNoInputsCanBe_noLoadsAreHeld() {
     const StaticsCase train(robot());
-    const auto all = InputSets::of(train.model, FusedField(), train.analysis.choice.joints)->list(1000);
+    const auto all =
+        InputSets::of(train.model, ModularDoubleField(), train.analysis.choice.joints)->list(1000);
     int held = 0;
     for (int a = 0; a < 7; ++a) {
       for (int b = a + 1; b < 7; ++b) {
@@ -322,8 +323,8 @@ class TestStatics : public QObject {
       QCOMPARE(*train.balance(solution, 0).fraction(), -*state.ratio);
       Rational sum = Rational(1) - *state.ratio;
       for (const int engaged : state.engaged) {
-        const Coupling& coupling = train.mechanism.couplings[static_cast<std::size_t>(engaged)];
-        if (coupling.kind == CouplingKind::brake)
+        const ShiftElement& coupling = train.mechanism.couplings[static_cast<std::size_t>(engaged)];
+        if (coupling.kind == ShiftElementKind::brake)
           sum += *train.coupling(solution, coupling.id.text().c_str()).fraction();
       }
       QVERIFY(sum.isZero());

@@ -205,7 +205,7 @@ class TestStaticsReport : public QObject {
   /// A document's diagnostics are about its loads: without any there are none, whatever was solved beside it.
   void diagnosticsOfADocument() {
     Mechanism robot = example("robot");
-    robot.balances = std::vector<Balance>{{JointId("8")}};
+    robot.balances = std::vector<HoldingTorque>{{JointId("8")}};
     QVERIFY(solvedLoadDiagnostics(robot, reportOf(StaticsCase(robot))).empty());
     robot = *withLoad(robot, inJoint("14", "10"));
     const Diagnostics diagnostics = solvedLoadDiagnostics(robot, reportOf(StaticsCase(robot)));
@@ -220,7 +220,7 @@ class TestStaticsReport : public QObject {
   void diagnosticsOfStates() {
     Mechanism gearbox = eightSpeed();
     gearbox.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(1)}}};
-    gearbox.balances = std::vector<Balance>{};
+    gearbox.balances = std::vector<HoldingTorque>{};
     const StaticsCase train(gearbox);
     std::vector<StaticsReport> reports;
     for (int state = 0; state < 9; ++state) {

@@ -103,9 +103,9 @@ class TtMatricesTest : public QObject {
     for (const std::string& name : test::exampleNames()) {
       const Mechanism plain = test::example(name);
       if (!SpanningTree::of(Digraph(plain))) continue;  // one to repair
-      std::vector<std::vector<CouplingId>> engagements{{}};
+      std::vector<std::vector<ShiftElementId>> engagements{{}};
       for (const ShiftState& state : plain.states) engagements.push_back(state.engaged);
-      for (const std::vector<CouplingId>& engaged : engagements) {
+      for (const std::vector<ShiftElementId>& engaged : engagements) {
         Mechanism mechanism = plain;
         mechanism.engaged = engaged;
         const test::TtCase found(mechanism);

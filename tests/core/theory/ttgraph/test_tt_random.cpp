@@ -133,15 +133,15 @@ class TtRandomTest : public QObject {
     for (int seed = 1; seed <= 40; ++seed) {
       const test::TtCase found = randomCase(static_cast<std::uint64_t>(seed) + 100, 8 + seed);
       const SubstitutionPlan plan = substitutionPlan(found.graph, found.someInputs());
-      const FusedField field;
+      const ModularDoubleField field;
       std::vector<Rational> exactSpeeds;
-      std::vector<Fused> speeds;
+      std::vector<ModularDouble> speeds;
       for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
         exactSpeeds.emplace_back(static_cast<std::int64_t>(i) + 1);
         speeds.push_back(field.fromInteger(static_cast<std::int64_t>(i) + 1));
       }
       const std::vector<Rational> exact = ttRates(found.graph, plan, exactSpeeds).value();
-      const std::vector<Fused> live = ttRates(field, found.graph, plan, speeds).value();
+      const std::vector<ModularDouble> live = ttRates(field, found.graph, plan, speeds).value();
       for (std::size_t joint = 0; joint < exact.size(); ++joint) {
         const double value = exact[joint].toDouble();
         QVERIFY(std::abs(live[joint].number - value) <= 1e-9 * (1 + std::abs(value)));

@@ -201,7 +201,7 @@ class TestFrequencyLines : public QObject {
         const auto about = absoluteSpeed(worked.placement, rates, link);
         if (about.size() > 1) return std::nullopt;
         if (about.empty()) return Rational(0);
-        const int sign = directionSign(worked.placement, about[0].axisClass, 0);
+        const int sign = directionSign(worked.placement, about[0].axisGroup, 0);
         return sign == 0 ? std::nullopt : std::optional(Rational(sign) * about[0].speed);
       };
       const auto lines = frequencyLines(mechanism, worked.placement, worked.model, {rates}, Rational(1));

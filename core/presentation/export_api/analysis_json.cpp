@@ -1,0 +1,233 @@
+#include "core/presentation/export_api/analysis_json.h"
+
+#include <vector>
+
+#include "core/foundations/files/json_writer.h"
+#include "core/mechanism/model/shift_edits.h"
+#include "core/presentation/export_api/diagnostics_json.h"
+#include "core/presentation/export_api/kinematics_json.h"
+
+namespace geargraph {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+/// Writes the parts of one analysis, a function a part.
+class AnalysisJson {
+ public:
+  AnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const AnalysisJsonOptions& options)
+      : m_json(sink), m_snapshot(snapshot), m_options(options) {}
+
+  void write(const Diagnostics& diagnostics) {
+    m_json.beginObject();
+    m_json.member("format", "geargraph-analysis");
+    m_json.member("version", 1);
+    part("counts", m_snapshot != nullptr, &AnalysisJson::counts);
+    if (m_snapshot != nullptr) engagement(m_snapshot->mechanism->engaged);
+    part("labels", m_snapshot != nullptr, &AnalysisJson::labels);
+    if (m_options.matrices) {
+      part("matrices", m_snapshot != nullptr, &AnalysisJson::matrices);
+      part("cycles", m_snapshot != nullptr && m_snapshot->tree, &AnalysisJson::cycles);
+    }
+    if (m_snapshot != nullptr && !m_snapshot->mechanism->engaged.empty())
+      motion("couplingRows", writeCouplingRows);
+    motion("transferVertices", writeTransferVertices);
+    motion("solution", writeMatroidSolution);
+    motion("ttSolution", writeTtSolution);
+    motion("agreement", writeAgreement);
+    motion("jointSpeeds", writeJointSpeeds);
+    motion("linkVelocities", writeLinkVelocities);
+    m_json.key("diagnostics");
+    writeDiagnostics(m_json, diagnostics);
+    m_json.endObject();
+  }
+
+ private:
+  /// A member that is null where it is not defined.
+  void part(std::string_view name, bool isDefined, void (AnalysisJson::*writePart)()) {
+    m_json.key(name);
+    if (isDefined) {
+      (this->*writePart)();
+    } else {
+      m_json.null();
+    }
+  }
+
+  /// A member that says itself whether it is defined.
+  void motion(std::string_view name, void (*writePart)(JsonWriter&, const AnalysisSnapshot&)) {
+    m_json.key(name);
+    if (m_snapshot != nullptr) {
+      writePart(m_json, *m_snapshot);
+    } else {
+      m_json.null();
+    }
+  }
+
+  void counts() {
+    const Mechanism& m = *m_snapshot->mechanism;
+    m_json.beginObject(Layout::row);
+    m_json.member("links", m.n());
+    m_json.member("turningJoints", m.t());
+    m_json.member("gearMeshes", m.c());
+    const MatroidAnalysis* matroid = m_snapshot->matroid();
+    count("rank", matroid != nullptr ? std::optional(matroid->rank) : std::nullopt);
+    count("dof", matroid != nullptr ? std::optional(matroid->dof) : std::nullopt);
+    m_json.member("kutzbachDof", 6 * m.n() - 5 * m.t() - m.c());
+    m_json.endObject();
+  }
+
+  /// "state" and "engaged", only where something is.
+  void engagement(const std::vector<ShiftElementId>& engaged) {
+    if (engaged.empty()) return;
+    m_json.key("state");
+    const int state = engagedState(*m_snapshot->mechanism);
+    if (state < 0) {
+      m_json.null();
+    } else {
+      m_json.string(m_snapshot->mechanism->states[static_cast<std::size_t>(state)].name);
+    }
+    m_json.key("engaged");
+    m_json.beginArray(Layout::row);
+    for (const ShiftElementId id : engaged) m_json.string(id.text());
+    m_json.endArray();
+  }
+
+  void count(std::string_view name, std::optional<int> value) {
+    m_json.key(name);
+    if (value) {
+      number(*value);
+    } else {
+      m_json.null();
+    }
+  }
+
+  void labels() {
+    const Mechanism& m = *m_snapshot->mechanism;
+    m_json.beginObject();
+    labelsOf("links", m.links, m.linkLabel(0));
+    labelsOf("turningJoints", m.turningJoints, m.jointLabel(0));
+    labelsOf("gearMeshes", m.gearMeshes, m.meshLabel(0));
+    m_json.endObject();
+  }
+
+  template <class Element>
+  void labelsOf(std::string_view name, const std::vector<Element>& elements, int first) {
+    m_json.key(name);
+    m_json.beginObject(Layout::row);
+    for (const Element& element : elements) m_json.member(element.id.text(), first++);
+    m_json.endObject();
+  }
+
+  void matrices() {
+    m_json.beginObject();
+    for (const MatrixKind kind : allMatrixKinds()) {
+      m_json.key(matrixJsonName(kind));
+      const IntegerMatrixPtr& matrix = m_snapshot->matrix(kind);
+      if (matrix) {
+        integerMatrix(*matrix);
+      } else {
+        m_json.null();
+      }
+    }
+    m_json.key("p");
+    writeCoefficientMatrix(m_json, *m_snapshot, isTooLarge(m_snapshot->graph->c(), m_snapshot->graph->t()));
+    m_json.endObject();
+  }
+
+  /// Too large to be written with all its zeros.
+  [[nodiscard]] bool isTooLarge(int rows, int columns) const {
+    return !m_options.dense && static_cast<long long>(rows) * columns > kMaxEntries;
+  }
+
+  void integerMatrix(const IntegerMatrix& matrix) {
+    m_json.beginObject();
+    m_json.key("rows");
+    m_json.beginArray(Layout::row);
+    for (int row = 0; row < matrix.rows(); ++row) number(matrix.rowHeading(row).label);
+    m_json.endArray();
+    m_json.key("columns");
+    m_json.beginArray(Layout::row);
+    for (int column = 0; column < matrix.columns(); ++column) number(matrix.columnHeading(column).label);
+    m_json.endArray();
+    if (isTooLarge(matrix.rows(), matrix.columns())) {
+      triplets(matrix);
+    } else {
+      entries(matrix);
+    }
+    m_json.endObject();
+  }
+
+  void entries(const IntegerMatrix& matrix) {
+    m_json.key("entries");
+    m_json.beginArray();
+    for (int row = 0; row < matrix.rows(); ++row) {
+      matrix.rowEntries(row, m_entries);
+      m_json.beginArray(Layout::row);
+      auto next = m_entries.begin();
+      for (int column = 0; column < matrix.columns(); ++column) {
+        const bool isHere = next != m_entries.end() && next->column == column;
+        number(isHere ? (next++)->value : 0);
+      }
+      m_json.endArray();
+    }
+    m_json.endArray();
+  }
+
+  void triplets(const IntegerMatrix& matrix) {
+    std::vector<int> labelOfColumn;
+    labelOfColumn.reserve(static_cast<std::size_t>(matrix.columns()));
+    for (int column = 0; column < matrix.columns(); ++column)
+      labelOfColumn.push_back(matrix.columnHeading(column).label);
+    m_json.key("triplets");
+    m_json.beginArray();
+    for (int row = 0; row < matrix.rows(); ++row) {
+      const int label = matrix.rowHeading(row).label;
+      matrix.rowEntries(row, m_entries);
+      for (const MatrixEntry& entry : m_entries) {
+        m_json.beginArray(Layout::row);
+        number(label);
+        number(labelOfColumn[static_cast<std::size_t>(entry.column)]);
+        number(entry.value);
+        m_json.endArray();
+      }
+    }
+    m_json.endArray();
+  }
+
+  /// The fundamental cycles: the rows of T, in the order of its columns.
+  void cycles() {
+    const IntegerMatrix& tree = *m_snapshot->matrix(MatrixKind::spanningTree);
+    m_json.beginArray();
+    for (int row = 0; row < tree.rows(); ++row) {
+      tree.rowEntries(row, m_entries);
+      m_json.beginObject(Layout::row);
+      m_json.member("mesh", tree.rowHeading(row).label);
+      m_json.key("joints");
+      m_json.beginArray();
+      for (const MatrixEntry& entry : m_entries) number(tree.columnHeading(entry.column).label);
+      m_json.endArray();
+      m_json.key("signs");
+      m_json.beginArray();
+      for (const MatrixEntry& entry : m_entries) number(entry.value);
+      m_json.endArray();
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  void number(int value) { m_json.number(static_cast<std::int64_t>(value)); }
+
+  JsonWriter m_json;
+  const AnalysisSnapshot* m_snapshot;
+  AnalysisJsonOptions m_options;
+  std::vector<MatrixEntry> m_entries;  ///< of the row at hand
+};
+
+}  // namespace
+
+void writeAnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const Diagnostics& diagnostics,
+                       const AnalysisJsonOptions& options) {
+  AnalysisJson(sink, snapshot, options).write(diagnostics);
+}
+
+}  // namespace geargraph
