@@ -127,7 +127,7 @@ std::string_view valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return kTeeth;
     case MemberValue::meshKind:
-      return "external, internal, bevel, belt or pins";
+      return "external, internal, bevel, belt, pins, crossedHelical or worm";
     case MemberValue::hand:
       return "right or left";
     case MemberValue::couplingKind:

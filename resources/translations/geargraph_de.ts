@@ -4883,10 +4883,6 @@
         <translation>Art des Zahneingriffs</translation>
     </message>
     <message>
-        <source>External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.</source>
-        <translation>Außen, innen (ein Rad ist ein Hohlrad) oder Kegelräder (die Achsen schneiden sich). Ohne Angabe folgt sie aus der Geometrie.</translation>
-    </message>
-    <message>
         <source>Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and teeth.</source>
         <translation>Wo sich die beiden Wälzflächen in der Bezugslage berühren. Ohne Angabe folgt der Punkt aus Achsen und Zähnezahlen.</translation>
     </message>
@@ -5927,10 +5923,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What fits: %7 teeth on the head, or %8.</source>
         <translation>Die Wälzradien sind %1 und %2 (Verhältnis %3), aber die Zähnezahlen sind %4 und %5 (Verhältnis %6). Es passt: %7 Zähne an der Spitze, oder %8.</translation>
-    </message>
-    <message>
-        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.</source>
-        <translation>Seine Achsen sind windschief im Abstand %1: Es gibt keinen Punkt, an dem die Räder wälzen könnten. Es passt: Achsen, die parallel sind oder sich schneiden.</translation>
     </message>
     <message>
         <source>an internal pair needs different tooth counts, the ring the larger one; both have %1.</source>
@@ -18708,6 +18700,286 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>%1 is a whole number.</source>
         <translation>%1 ist eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>crossed helical</source>
+        <translation>Schraubrad</translation>
+    </message>
+    <message>
+        <source>Make %1 crossed helical</source>
+        <translation>%1 zum Schraubradpaar machen</translation>
+    </message>
+    <message>
+        <source>worm</source>
+        <translation>Schnecke</translation>
+    </message>
+    <message>
+        <source>Make %1 a worm</source>
+        <translation>%1 zur Schnecke machen</translation>
+    </message>
+    <message>
+        <source>Teeth that cross at an angle are no herringbone teeth; mesh &quot;%1&quot; says so: leave it out.</source>
+        <translation>Zähne, die sich unter einem Winkel kreuzen, sind keine Pfeilzähne; Zahneingriff „%1“ sagt es: lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>The helix of worm &quot;%1&quot; follows from its starts, the module and the distance of the axes: leave the helix angle out.</source>
+        <translation>Die Schraubenlinie der Schnecke „%1“ folgt aus ihren Gängen, dem Modul und dem Achsabstand: lassen Sie den Schrägungswinkel weg.</translation>
+    </message>
+    <message>
+        <source>its module %1 does not fit the distance of the axes: their pitch cylinders would not touch. What fits: the module %2.</source>
+        <translation>sein Modul %1 passt nicht zum Achsabstand: die Wälzzylinder würden sich nicht berühren. Es passt: der Modul %2.</translation>
+    </message>
+    <message>
+        <source>no helix of this hand makes these teeth with pitch radii of %1 and %2. What fits: the other hand, or no pitch point.</source>
+        <translation>keine Schraubenlinie dieser Steigungsrichtung ergibt diese Zähne mit Wälzradien von %1 und %2. Es passt: die andere Richtung, oder kein Wälzpunkt.</translation>
+    </message>
+    <message>
+        <source>a helix angle of %1 degrees leaves %2 for the head&apos;s gear, and at 90 teeth run round their axis. What fits: none, or a smaller one.</source>
+        <translation>ein Schrägungswinkel von %1 Grad lässt %2 für das Rad am Kopf, und bei 90 laufen Zähne rund um ihre Achse. Es passt: keiner, oder ein kleinerer.</translation>
+    </message>
+    <message>
+        <source>its pitch point makes pitch radii of %1 and %2, but teeth and helix angles make %3 and %4. What fits: no pitch point, or no helix angle.</source>
+        <translation>sein Wälzpunkt ergibt Wälzradien von %1 und %2, aber Zähne und Schrägungswinkel ergeben %3 und %4. Es passt: kein Wälzpunkt, oder kein Schrägungswinkel.</translation>
+    </message>
+    <message>
+        <source>a worm has 1 to %1 starts, fewer than its wheel has teeth; it has %2, and the wheel %3. What fits: other numbers, or crossed helical.</source>
+        <translation>eine Schnecke hat 1 bis %1 Gänge, weniger als ihr Rad Zähne hat; sie hat %2, und das Rad %3. Es passt: andere Zahlen, oder ein Schraubradpaar.</translation>
+    </message>
+    <message>
+        <source>it says worm, but its axes cross at %1 degrees. What fits: crossed helical, or axes that cross at 90 degrees.</source>
+        <translation>er ist als Schnecke angegeben, aber seine Achsen kreuzen sich unter %1 Grad. Es passt: Schraubrad, oder Achsen, die sich unter 90 Grad kreuzen.</translation>
+    </message>
+    <message>
+        <source>its module %1 gives the wheel a pitch radius of %2, and the axes are %3 apart: that leaves no core for the worm. What fits: a module of at most %4.</source>
+        <translation>sein Modul %1 gibt dem Rad einen Wälzradius von %2, und der Achsabstand ist %3: das lässt der Schnecke keinen Kern. Es passt: ein Modul von höchstens %4.</translation>
+    </message>
+    <message>
+        <source>its pitch point lies %1 off the common perpendicular of the axes, where their pitch cylinders touch. What fits: a point on it, or none (then it follows from the axes).</source>
+        <translation>sein Wälzpunkt liegt %1 neben dem gemeinsamen Lot der Achsen, auf dem sich ihre Wälzzylinder berühren. Es passt: ein Punkt darauf, oder keiner (dann folgt er aus den Achsen).</translation>
+    </message>
+    <message>
+        <source>its pitch point does not lie between the axes. What fits: a point between them, or none (then it follows from the axes).</source>
+        <translation>sein Wälzpunkt liegt nicht zwischen den Achsen. Es passt: ein Punkt dazwischen, oder keiner (dann folgt er aus den Achsen).</translation>
+    </message>
+    <message>
+        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet, or the kind worm or crossed helical.</source>
+        <translation>seine Achsen sind windschief, Abstand %1: es gibt keinen Punkt, in dem die Räder abrollen könnten. Es passen: parallele oder sich schneidende Achsen, oder die Art Schnecke oder Schraubrad.</translation>
+    </message>
+    <message>
+        <source>External, internal (one wheel is a ring), bevel (the axes meet), belt or pins (the wheels do not touch), crossed helical or worm (the axes cross without meeting). Without it the geometry tells which of the first three it is.</source>
+        <translation>Außen, innen (ein Rad ist ein Hohlrad), Kegelrad (die Achsen schneiden sich), Riemen oder Bolzen (die Räder berühren sich nicht), Schraubrad oder Schnecke (die Achsen kreuzen sich, ohne sich zu schneiden). Ohne Angabe sagt die Geometrie, welche der ersten drei es ist.</translation>
+    </message>
+    <message>
+        <source>Helix angle</source>
+        <translation>Schrägungswinkel</translation>
+    </message>
+    <message>
+        <source>Between a tooth and the axis, at the reference cylinder of the first gear. A right-hand helix turns like a common screw. On parallel axes it changes no ratio; on axes that cross, the hands decide which way the gears turn.</source>
+        <translation>Zwischen Zahn und Achse, am Teilzylinder des ersten Rades. Eine rechtssteigende Schraubenlinie dreht wie eine gewöhnliche Schraube. Auf parallelen Achsen ändert er keine Übersetzung; auf Achsen, die sich kreuzen, entscheiden die Steigungsrichtungen, wie herum die Räder drehen.</translation>
+    </message>
+    <message>
+        <source>The sign of mesh %1 follows from the hands of its teeth and the way its axes cross.</source>
+        <translation>Das Vorzeichen von Zahneingriff %1 folgt aus den Steigungsrichtungen seiner Zähne und daraus, wie seine Achsen sich kreuzen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, let both turn the same way, so that f is %2.</source>
+        <translation>Zahneingriff %1 liegt zwischen Achsen, die sich kreuzen: die Steigungsrichtungen seiner Zähne lassen beide Räder, jedes entlang seiner eigenen Achse gesehen, gleich herum drehen, sodass f gleich %2 ist.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, let them turn against each other, so that f is %2.</source>
+        <translation>Zahneingriff %1 liegt zwischen Achsen, die sich kreuzen: die Steigungsrichtungen seiner Zähne lassen die Räder, jedes entlang seiner eigenen Achse gesehen, gegeneinander drehen, sodass f gleich %2 ist.</translation>
+    </message>
+    <message>
+        <source>Axes that cross at right angles without meeting. The gear with fewer teeth is the worm: they are its starts.</source>
+        <translation>Achsen, die sich rechtwinklig kreuzen, ohne sich zu schneiden. Das Rad mit weniger Zähnen ist die Schnecke: sie sind ihre Gänge.</translation>
+    </message>
+    <message>
+        <source>Axes that cross without meeting.</source>
+        <translation>Achsen, die sich kreuzen, ohne sich zu schneiden.</translation>
+    </message>
+    <message>
+        <source>Axes that meet.</source>
+        <translation>Achsen, die sich schneiden.</translation>
+    </message>
+    <message>
+        <source>Parallel axes.</source>
+        <translation>Parallele Achsen.</translation>
+    </message>
+    <message>
+        <source>herringbone</source>
+        <translation>Pfeilzähne</translation>
+    </message>
+    <message>
+        <source>The strands cross</source>
+        <translation>Die Trume kreuzen sich</translation>
+    </message>
+    <message>
+        <source>Hand of the helix</source>
+        <translation>Steigungsrichtung</translation>
+    </message>
+    <message>
+        <source>usual hand</source>
+        <translation>übliche Richtung</translation>
+    </message>
+    <message>
+        <source>The hand of the first gear&apos;s teeth. Usual: right-hand, or what fits the axes.</source>
+        <translation>Die Steigungsrichtung der Zähne des ersten Rades. Üblich: rechtssteigend, oder was zu den Achsen passt.</translation>
+    </message>
+    <message>
+        <source>The helix changes its hand at the middle of the face, so that no axial force is left.</source>
+        <translation>Die Steigungsrichtung wechselt in der Mitte der Zahnbreite, sodass keine Axialkraft bleibt.</translation>
+    </message>
+    <message>
+        <source>The strands cross between the pulleys, which then turn against each other.</source>
+        <translation>Die Trume kreuzen sich zwischen den Scheiben, die dann gegeneinander drehen.</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>Change helix angle</source>
+        <translation>Schrägungswinkel ändern</translation>
+    </message>
+    <message>
+        <source>Change hand</source>
+        <translation>Steigungsrichtung ändern</translation>
+    </message>
+    <message>
+        <source>Change herringbone</source>
+        <translation>Pfeilzähne ändern</translation>
+    </message>
+    <message>
+        <source>Cross strands</source>
+        <translation>Trume kreuzen</translation>
+    </message>
+    <message>
+        <source>equal on both</source>
+        <translation>beide gleich</translation>
+    </message>
+    <message>
+        <source>A cycloidal disc runs on 4 pins or more.</source>
+        <translation>Eine Zykloidenscheibe läuft auf 4 oder mehr Bolzen.</translation>
+    </message>
+    <message>
+        <source>A worm has 1 to %1 starts, fewer than its wheel has teeth.</source>
+        <translation>Eine Schnecke hat 1 bis %1 Gänge, weniger als ihr Rad Zähne hat.</translation>
+    </message>
+    <message>
+        <source>Worm stage</source>
+        <translation>Schneckenstufe</translation>
+    </message>
+    <message>
+        <source>worm wheel</source>
+        <translation>Schneckenrad</translation>
+    </message>
+    <message>
+        <source>The pitch of a belt is above 0.</source>
+        <translation>Die Teilung eines Riemens ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>Belt drive</source>
+        <translation>Riementrieb</translation>
+    </message>
+    <message>
+        <source>driving pulley</source>
+        <translation>treibende Scheibe</translation>
+    </message>
+    <message>
+        <source>driven pulley</source>
+        <translation>getriebene Scheibe</translation>
+    </message>
+    <message>
+        <source>The circular spline has more teeth than the flexspline, usually two.</source>
+        <translation>Der Circular Spline hat mehr Zähne als der Flexspline, meist zwei.</translation>
+    </message>
+    <message>
+        <source>Strain wave drive</source>
+        <translation>Wellgetriebe</translation>
+    </message>
+    <message>
+        <source>wave generator</source>
+        <translation>Wellengenerator</translation>
+    </message>
+    <message>
+        <source>flexspline</source>
+        <translation>Flexspline</translation>
+    </message>
+    <message>
+        <source>Cycloidal drive</source>
+        <translation>Zykloidgetriebe</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>Kurbel</translation>
+    </message>
+    <message>
+        <source>cycloidal disc</source>
+        <translation>Zykloidenscheibe</translation>
+    </message>
+    <message>
+        <source>RV reducer</source>
+        <translation>RV-Getriebe</translation>
+    </message>
+    <message>
+        <source>eccentric</source>
+        <translation>Exzenter</translation>
+    </message>
+    <message>
+        <source>Starts of the worm</source>
+        <translation>Gänge der Schnecke</translation>
+    </message>
+    <message>
+        <source>Teeth of the wheel</source>
+        <translation>Zähne des Rades</translation>
+    </message>
+    <message>
+        <source>Driving pulley</source>
+        <translation>Treibende Scheibe</translation>
+    </message>
+    <message>
+        <source>Driven pulley</source>
+        <translation>Getriebene Scheibe</translation>
+    </message>
+    <message>
+        <source>Flexspline</source>
+        <translation>Flexspline</translation>
+    </message>
+    <message>
+        <source>Circular spline</source>
+        <translation>Circular Spline</translation>
+    </message>
+    <message>
+        <source>Pins of the ring</source>
+        <translation>Bolzen des Rings</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Planet</source>
+        <translation>Planet</translation>
+    </message>
+    <message>
+        <source>One turn of &quot;%1&quot; turns &quot;%2&quot; by %3.</source>
+        <translation>Eine Umdrehung von „%1“ dreht „%2“ um %3.</translation>
+    </message>
+    <message>
+        <source>Change its kind: %1</source>
+        <translation>Seine Art ändern: %1</translation>
+    </message>
+    <message>
+        <source>Freewheel: %1 cannot overtake %2</source>
+        <translation>Freilauf: %1 kann %2 nicht überholen</translation>
+    </message>
+    <message>
+        <source>It locks where the first link would turn faster, about the direction of their axis.</source>
+        <translation>Er sperrt, wo das erste Glied schneller drehen würde, um die Richtung ihrer Achse.</translation>
+    </message>
+    <message>
+        <source>Add freewheel</source>
+        <translation>Freilauf hinzufügen</translation>
     </message>
 </context>
 <context>

@@ -4883,10 +4883,6 @@
         <translation>Tipo de engrane</translation>
     </message>
     <message>
-        <source>External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.</source>
-        <translation>Exterior, interior (una rueda es una corona) o cónico (los ejes se cortan). Sin indicarlo, lo dice la geometría.</translation>
-    </message>
-    <message>
         <source>Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and teeth.</source>
         <translation>Donde se tocan las dos superficies primitivas en la posición de referencia. Sin indicarlo, el punto se deduce de los ejes y los dientes.</translation>
     </message>
@@ -5927,10 +5923,6 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What fits: %7 teeth on the head, or %8.</source>
         <translation>los radios primitivos son %1 y %2 (relación %3), pero los dientes son %4 y %5 (relación %6). Lo que encaja: %7 dientes en la cabeza, o %8.</translation>
-    </message>
-    <message>
-        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.</source>
-        <translation>sus ejes se cruzan a una distancia de %1: no hay punto en que las ruedas puedan rodar. Lo que encaja: ejes paralelos o que se corten.</translation>
     </message>
     <message>
         <source>an internal pair needs different tooth counts, the ring the larger one; both have %1.</source>
@@ -18708,6 +18700,286 @@ pares / portasatélites: %3</translation>
     <message>
         <source>%1 is a whole number.</source>
         <translation>%1 es un número entero.</translation>
+    </message>
+    <message>
+        <source>crossed helical</source>
+        <translation>helicoidal cruzado</translation>
+    </message>
+    <message>
+        <source>Make %1 crossed helical</source>
+        <translation>Hacer %1 helicoidal cruzado</translation>
+    </message>
+    <message>
+        <source>worm</source>
+        <translation>tornillo sin fin</translation>
+    </message>
+    <message>
+        <source>Make %1 a worm</source>
+        <translation>Hacer %1 un tornillo sin fin</translation>
+    </message>
+    <message>
+        <source>Teeth that cross at an angle are no herringbone teeth; mesh &quot;%1&quot; says so: leave it out.</source>
+        <translation>Los dientes que se cruzan en ángulo no son dientes en espiga; el engrane «%1» lo dice: omítalo.</translation>
+    </message>
+    <message>
+        <source>The helix of worm &quot;%1&quot; follows from its starts, the module and the distance of the axes: leave the helix angle out.</source>
+        <translation>La hélice del tornillo sin fin «%1» resulta de sus entradas, el módulo y la distancia entre ejes: omita el ángulo de hélice.</translation>
+    </message>
+    <message>
+        <source>its module %1 does not fit the distance of the axes: their pitch cylinders would not touch. What fits: the module %2.</source>
+        <translation>su módulo %1 no encaja con la distancia entre ejes: los cilindros primitivos no se tocarían. Lo que encaja: el módulo %2.</translation>
+    </message>
+    <message>
+        <source>no helix of this hand makes these teeth with pitch radii of %1 and %2. What fits: the other hand, or no pitch point.</source>
+        <translation>ninguna hélice de este sentido da estos dientes con radios primitivos de %1 y %2. Lo que encaja: el otro sentido, o ningún punto primitivo.</translation>
+    </message>
+    <message>
+        <source>a helix angle of %1 degrees leaves %2 for the head&apos;s gear, and at 90 teeth run round their axis. What fits: none, or a smaller one.</source>
+        <translation>un ángulo de hélice de %1 grados deja %2 para la rueda de cabeza, y a 90 los dientes dan la vuelta a su eje. Lo que encaja: ninguno, o uno menor.</translation>
+    </message>
+    <message>
+        <source>its pitch point makes pitch radii of %1 and %2, but teeth and helix angles make %3 and %4. What fits: no pitch point, or no helix angle.</source>
+        <translation>su punto primitivo da radios primitivos de %1 y %2, pero los dientes y los ángulos de hélice dan %3 y %4. Lo que encaja: ningún punto primitivo, o ningún ángulo de hélice.</translation>
+    </message>
+    <message>
+        <source>a worm has 1 to %1 starts, fewer than its wheel has teeth; it has %2, and the wheel %3. What fits: other numbers, or crossed helical.</source>
+        <translation>un tornillo sin fin tiene de 1 a %1 entradas, menos que dientes su rueda; tiene %2, y la rueda %3. Lo que encaja: otros números, o helicoidal cruzado.</translation>
+    </message>
+    <message>
+        <source>it says worm, but its axes cross at %1 degrees. What fits: crossed helical, or axes that cross at 90 degrees.</source>
+        <translation>dice tornillo sin fin, pero sus ejes se cruzan a %1 grados. Lo que encaja: helicoidal cruzado, o ejes que se cruzan a 90 grados.</translation>
+    </message>
+    <message>
+        <source>its module %1 gives the wheel a pitch radius of %2, and the axes are %3 apart: that leaves no core for the worm. What fits: a module of at most %4.</source>
+        <translation>su módulo %1 da a la rueda un radio primitivo de %2, y los ejes distan %3: no queda núcleo para el tornillo. Lo que encaja: un módulo de %4 como máximo.</translation>
+    </message>
+    <message>
+        <source>its pitch point lies %1 off the common perpendicular of the axes, where their pitch cylinders touch. What fits: a point on it, or none (then it follows from the axes).</source>
+        <translation>su punto primitivo está a %1 de la perpendicular común de los ejes, donde se tocan sus cilindros primitivos. Lo que encaja: un punto en ella, o ninguno (entonces resulta de los ejes).</translation>
+    </message>
+    <message>
+        <source>its pitch point does not lie between the axes. What fits: a point between them, or none (then it follows from the axes).</source>
+        <translation>su punto primitivo no está entre los ejes. Lo que encaja: un punto entre ellos, o ninguno (entonces resulta de los ejes).</translation>
+    </message>
+    <message>
+        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet, or the kind worm or crossed helical.</source>
+        <translation>sus ejes se cruzan sin cortarse, a %1: no hay punto en que las ruedas puedan rodar. Lo que encaja: ejes paralelos o que se corten, o la clase tornillo sin fin o helicoidal cruzado.</translation>
+    </message>
+    <message>
+        <source>External, internal (one wheel is a ring), bevel (the axes meet), belt or pins (the wheels do not touch), crossed helical or worm (the axes cross without meeting). Without it the geometry tells which of the first three it is.</source>
+        <translation>Exterior, interior (una rueda es una corona), cónico (los ejes se cortan), correa o pasadores (las ruedas no se tocan), helicoidal cruzado o tornillo sin fin (los ejes se cruzan sin cortarse). Sin ella, la geometría dice cuál de los tres primeros es.</translation>
+    </message>
+    <message>
+        <source>Helix angle</source>
+        <translation>Ángulo de hélice</translation>
+    </message>
+    <message>
+        <source>Between a tooth and the axis, at the reference cylinder of the first gear. A right-hand helix turns like a common screw. On parallel axes it changes no ratio; on axes that cross, the hands decide which way the gears turn.</source>
+        <translation>Entre un diente y el eje, en el cilindro de referencia de la primera rueda. Una hélice a derechas gira como un tornillo común. En ejes paralelos no cambia ninguna relación; en ejes que se cruzan, los sentidos deciden hacia dónde giran las ruedas.</translation>
+    </message>
+    <message>
+        <source>The sign of mesh %1 follows from the hands of its teeth and the way its axes cross.</source>
+        <translation>El signo del engrane %1 resulta de los sentidos de sus dientes y de cómo se cruzan sus ejes.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, let both turn the same way, so that f is %2.</source>
+        <translation>El engrane %1 está entre ejes que se cruzan: los sentidos de sus dientes hacen girar ambas ruedas, vista cada una a lo largo de su eje, en el mismo sentido, de modo que f es %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, let them turn against each other, so that f is %2.</source>
+        <translation>El engrane %1 está entre ejes que se cruzan: los sentidos de sus dientes hacen girar las ruedas, vista cada una a lo largo de su eje, en sentidos opuestos, de modo que f es %2.</translation>
+    </message>
+    <message>
+        <source>Axes that cross at right angles without meeting. The gear with fewer teeth is the worm: they are its starts.</source>
+        <translation>Ejes que se cruzan en ángulo recto sin cortarse. La rueda con menos dientes es el tornillo: son sus entradas.</translation>
+    </message>
+    <message>
+        <source>Axes that cross without meeting.</source>
+        <translation>Ejes que se cruzan sin cortarse.</translation>
+    </message>
+    <message>
+        <source>Axes that meet.</source>
+        <translation>Ejes que se cortan.</translation>
+    </message>
+    <message>
+        <source>Parallel axes.</source>
+        <translation>Ejes paralelos.</translation>
+    </message>
+    <message>
+        <source>herringbone</source>
+        <translation>en espiga</translation>
+    </message>
+    <message>
+        <source>The strands cross</source>
+        <translation>Los ramales se cruzan</translation>
+    </message>
+    <message>
+        <source>Hand of the helix</source>
+        <translation>Sentido de la hélice</translation>
+    </message>
+    <message>
+        <source>usual hand</source>
+        <translation>sentido usual</translation>
+    </message>
+    <message>
+        <source>The hand of the first gear&apos;s teeth. Usual: right-hand, or what fits the axes.</source>
+        <translation>El sentido de los dientes de la primera rueda. Usual: a derechas, o el que encaja con los ejes.</translation>
+    </message>
+    <message>
+        <source>The helix changes its hand at the middle of the face, so that no axial force is left.</source>
+        <translation>La hélice cambia de sentido en el centro del ancho, de modo que no queda fuerza axial.</translation>
+    </message>
+    <message>
+        <source>The strands cross between the pulleys, which then turn against each other.</source>
+        <translation>Los ramales se cruzan entre las poleas, que giran entonces en sentidos opuestos.</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>rectos</translation>
+    </message>
+    <message>
+        <source>Change helix angle</source>
+        <translation>Cambiar el ángulo de hélice</translation>
+    </message>
+    <message>
+        <source>Change hand</source>
+        <translation>Cambiar el sentido</translation>
+    </message>
+    <message>
+        <source>Change herringbone</source>
+        <translation>Cambiar los dientes en espiga</translation>
+    </message>
+    <message>
+        <source>Cross strands</source>
+        <translation>Cruzar los ramales</translation>
+    </message>
+    <message>
+        <source>equal on both</source>
+        <translation>igual en ambas</translation>
+    </message>
+    <message>
+        <source>A cycloidal disc runs on 4 pins or more.</source>
+        <translation>Un disco cicloidal rueda sobre 4 pasadores o más.</translation>
+    </message>
+    <message>
+        <source>A worm has 1 to %1 starts, fewer than its wheel has teeth.</source>
+        <translation>Un tornillo sin fin tiene de 1 a %1 entradas, menos que dientes su rueda.</translation>
+    </message>
+    <message>
+        <source>Worm stage</source>
+        <translation>Etapa de tornillo sin fin</translation>
+    </message>
+    <message>
+        <source>worm wheel</source>
+        <translation>rueda del tornillo sin fin</translation>
+    </message>
+    <message>
+        <source>The pitch of a belt is above 0.</source>
+        <translation>El paso de una correa es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>Belt drive</source>
+        <translation>Transmisión por correa</translation>
+    </message>
+    <message>
+        <source>driving pulley</source>
+        <translation>polea motriz</translation>
+    </message>
+    <message>
+        <source>driven pulley</source>
+        <translation>polea conducida</translation>
+    </message>
+    <message>
+        <source>The circular spline has more teeth than the flexspline, usually two.</source>
+        <translation>La corona circular tiene más dientes que la rueda flexible, normalmente dos.</translation>
+    </message>
+    <message>
+        <source>Strain wave drive</source>
+        <translation>Reductor de onda</translation>
+    </message>
+    <message>
+        <source>wave generator</source>
+        <translation>generador de onda</translation>
+    </message>
+    <message>
+        <source>flexspline</source>
+        <translation>rueda flexible</translation>
+    </message>
+    <message>
+        <source>Cycloidal drive</source>
+        <translation>Reductor cicloidal</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>cycloidal disc</source>
+        <translation>disco cicloidal</translation>
+    </message>
+    <message>
+        <source>RV reducer</source>
+        <translation>Reductor RV</translation>
+    </message>
+    <message>
+        <source>eccentric</source>
+        <translation>excéntrica</translation>
+    </message>
+    <message>
+        <source>Starts of the worm</source>
+        <translation>Entradas del tornillo</translation>
+    </message>
+    <message>
+        <source>Teeth of the wheel</source>
+        <translation>Dientes de la rueda</translation>
+    </message>
+    <message>
+        <source>Driving pulley</source>
+        <translation>Polea motriz</translation>
+    </message>
+    <message>
+        <source>Driven pulley</source>
+        <translation>Polea conducida</translation>
+    </message>
+    <message>
+        <source>Flexspline</source>
+        <translation>Rueda flexible</translation>
+    </message>
+    <message>
+        <source>Circular spline</source>
+        <translation>Corona circular</translation>
+    </message>
+    <message>
+        <source>Pins of the ring</source>
+        <translation>Pasadores de la corona</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Planet</source>
+        <translation>Satélite</translation>
+    </message>
+    <message>
+        <source>One turn of &quot;%1&quot; turns &quot;%2&quot; by %3.</source>
+        <translation>Una vuelta de «%1» gira «%2» %3 vueltas.</translation>
+    </message>
+    <message>
+        <source>Change its kind: %1</source>
+        <translation>Cambiar su clase: %1</translation>
+    </message>
+    <message>
+        <source>Freewheel: %1 cannot overtake %2</source>
+        <translation>Rueda libre: %1 no puede adelantar a %2</translation>
+    </message>
+    <message>
+        <source>It locks where the first link would turn faster, about the direction of their axis.</source>
+        <translation>Bloquea donde el primer eslabón giraría más deprisa, en el sentido de su eje.</translation>
+    </message>
+    <message>
+        <source>Add freewheel</source>
+        <translation>Añadir rueda libre</translation>
     </message>
 </context>
 <context>

@@ -4882,10 +4882,6 @@
         <translation>Dişli çiftinin türü</translation>
     </message>
     <message>
-        <source>External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.</source>
-        <translation>Dış, iç (bir dişli çemberdir) veya konik (eksenler kesişir). Verilmezse geometri belirler.</translation>
-    </message>
-    <message>
         <source>Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and teeth.</source>
         <translation>Referans konumda iki hatve yüzeyinin değdiği yer. Verilmezse nokta eksenlerden ve dişlerden bulunur.</translation>
     </message>
@@ -5926,10 +5922,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>the pitch radii are %1 and %2 (ratio %3), but the teeth are %4 and %5 (ratio %6). What fits: %7 teeth on the head, or %8.</source>
         <translation>hatve yarıçapları %1 ve %2 (oran %3), ama diş sayıları %4 ve %5 (oran %6). Uygun olan: başta %7 diş, ya da %8.</translation>
-    </message>
-    <message>
-        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.</source>
-        <translation>eksenleri aykırı, aralarındaki uzaklık %1: dişlilerin yuvarlanabileceği bir nokta yok. Uygun olan: paralel ya da kesişen eksenler.</translation>
     </message>
     <message>
         <source>an internal pair needs different tooth counts, the ring the larger one; both have %1.</source>
@@ -18707,6 +18699,286 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>%1 is a whole number.</source>
         <translation>%1 bir tam sayıdır.</translation>
+    </message>
+    <message>
+        <source>crossed helical</source>
+        <translation>çapraz helis</translation>
+    </message>
+    <message>
+        <source>Make %1 crossed helical</source>
+        <translation>%1 çapraz helis yap</translation>
+    </message>
+    <message>
+        <source>worm</source>
+        <translation>sonsuz vida</translation>
+    </message>
+    <message>
+        <source>Make %1 a worm</source>
+        <translation>%1 sonsuz vida yap</translation>
+    </message>
+    <message>
+        <source>Teeth that cross at an angle are no herringbone teeth; mesh &quot;%1&quot; says so: leave it out.</source>
+        <translation>Bir açıyla kesişen dişler çavuş dişi değildir; &quot;%1&quot; kavraması öyle diyor: bunu çıkarın.</translation>
+    </message>
+    <message>
+        <source>The helix of worm &quot;%1&quot; follows from its starts, the module and the distance of the axes: leave the helix angle out.</source>
+        <translation>&quot;%1&quot; sonsuz vidasının helisi ağız sayısından, modülden ve eksen aralığından çıkar: helis açısını yazmayın.</translation>
+    </message>
+    <message>
+        <source>its module %1 does not fit the distance of the axes: their pitch cylinders would not touch. What fits: the module %2.</source>
+        <translation>modülü %1 eksen aralığına uymuyor: yuvarlanma silindirleri birbirine değmez. Uygun olan: modül %2.</translation>
+    </message>
+    <message>
+        <source>no helix of this hand makes these teeth with pitch radii of %1 and %2. What fits: the other hand, or no pitch point.</source>
+        <translation>bu yöndeki hiçbir helis %1 ve %2 hatve yarıçaplarıyla bu dişleri vermez. Uygun olan: öbür yön ya da hatve noktası yazmamak.</translation>
+    </message>
+    <message>
+        <source>a helix angle of %1 degrees leaves %2 for the head&apos;s gear, and at 90 teeth run round their axis. What fits: none, or a smaller one.</source>
+        <translation>%1 derecelik helis açısı baş dişlisine %2 bırakır ve 90 derecede dişler eksenin çevresinde dolanır. Uygun olan: hiç yazmamak ya da daha küçüğü.</translation>
+    </message>
+    <message>
+        <source>its pitch point makes pitch radii of %1 and %2, but teeth and helix angles make %3 and %4. What fits: no pitch point, or no helix angle.</source>
+        <translation>hatve noktası %1 ve %2 hatve yarıçaplarını verir, ama dişler ve helis açıları %3 ve %4 verir. Uygun olan: hatve noktası ya da helis açısı yazmamak.</translation>
+    </message>
+    <message>
+        <source>a worm has 1 to %1 starts, fewer than its wheel has teeth; it has %2, and the wheel %3. What fits: other numbers, or crossed helical.</source>
+        <translation>bir sonsuz vidanın 1 ile %1 arasında ağzı vardır, çarkının dişlerinden az; bunun %2, çarkın %3. Uygun olan: başka sayılar ya da çapraz helis.</translation>
+    </message>
+    <message>
+        <source>it says worm, but its axes cross at %1 degrees. What fits: crossed helical, or axes that cross at 90 degrees.</source>
+        <translation>sonsuz vida diyor, ama eksenleri %1 derecede kesişiyor. Uygun olan: çapraz helis ya da 90 derecede kesişen eksenler.</translation>
+    </message>
+    <message>
+        <source>its module %1 gives the wheel a pitch radius of %2, and the axes are %3 apart: that leaves no core for the worm. What fits: a module of at most %4.</source>
+        <translation>modülü %1 çarka %2 hatve yarıçapı verir, eksenlerin aralığı %3: sonsuz vidaya gövde kalmaz. Uygun olan: en çok %4 modül.</translation>
+    </message>
+    <message>
+        <source>its pitch point lies %1 off the common perpendicular of the axes, where their pitch cylinders touch. What fits: a point on it, or none (then it follows from the axes).</source>
+        <translation>hatve noktası eksenlerin ortak dikmesinden %1 uzakta; yuvarlanma silindirleri orada değer. Uygun olan: onun üzerinde bir nokta ya da hiç yazmamak (o zaman eksenlerden çıkar).</translation>
+    </message>
+    <message>
+        <source>its pitch point does not lie between the axes. What fits: a point between them, or none (then it follows from the axes).</source>
+        <translation>hatve noktası eksenlerin arasında değil. Uygun olan: aralarında bir nokta ya da hiç yazmamak (o zaman eksenlerden çıkar).</translation>
+    </message>
+    <message>
+        <source>its axes are skew, %1 apart: there is no point where the gears could roll. What fits: axes that are parallel or meet, or the kind worm or crossed helical.</source>
+        <translation>eksenleri aykırı, aralık %1: dişlilerin yuvarlanabileceği bir nokta yok. Uygun olan: paralel ya da kesişen eksenler ya da sonsuz vida veya çapraz helis türü.</translation>
+    </message>
+    <message>
+        <source>External, internal (one wheel is a ring), bevel (the axes meet), belt or pins (the wheels do not touch), crossed helical or worm (the axes cross without meeting). Without it the geometry tells which of the first three it is.</source>
+        <translation>Dış, iç (bir çark iç dişlidir), konik (eksenler kesişir), kayış ya da pimler (çarklar değmez), çapraz helis ya da sonsuz vida (eksenler buluşmadan geçer). Yazılmazsa ilk üçünden hangisi olduğunu geometri söyler.</translation>
+    </message>
+    <message>
+        <source>Helix angle</source>
+        <translation>Helis açısı</translation>
+    </message>
+    <message>
+        <source>Between a tooth and the axis, at the reference cylinder of the first gear. A right-hand helix turns like a common screw. On parallel axes it changes no ratio; on axes that cross, the hands decide which way the gears turn.</source>
+        <translation>Birinci dişlinin bölüm silindirinde diş ile eksen arasında. Sağ helis alışılmış bir vida gibi döner. Paralel eksenlerde hiçbir oranı değiştirmez; çapraz eksenlerde dişlilerin dönüş yönünü helis yönleri belirler.</translation>
+    </message>
+    <message>
+        <source>The sign of mesh %1 follows from the hands of its teeth and the way its axes cross.</source>
+        <translation>%1 kavramasının işareti dişlerinin helis yönlerinden ve eksenlerinin nasıl kesiştiğinden çıkar.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, let both turn the same way, so that f is %2.</source>
+        <translation>%1 kavraması çapraz eksenler arasındadır: dişlerinin helis yönleri, her dişli kendi ekseni boyunca bakıldığında, ikisini aynı yönde döndürür; bu yüzden f, %2 olur.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, let them turn against each other, so that f is %2.</source>
+        <translation>%1 kavraması çapraz eksenler arasındadır: dişlerinin helis yönleri, her dişli kendi ekseni boyunca bakıldığında, onları ters yönde döndürür; bu yüzden f, %2 olur.</translation>
+    </message>
+    <message>
+        <source>Axes that cross at right angles without meeting. The gear with fewer teeth is the worm: they are its starts.</source>
+        <translation>Buluşmadan dik açıyla geçen eksenler. Az dişli olan sonsuz vidadır: dişleri onun ağızlarıdır.</translation>
+    </message>
+    <message>
+        <source>Axes that cross without meeting.</source>
+        <translation>Buluşmadan geçen eksenler.</translation>
+    </message>
+    <message>
+        <source>Axes that meet.</source>
+        <translation>Kesişen eksenler.</translation>
+    </message>
+    <message>
+        <source>Parallel axes.</source>
+        <translation>Paralel eksenler.</translation>
+    </message>
+    <message>
+        <source>herringbone</source>
+        <translation>çavuş dişi</translation>
+    </message>
+    <message>
+        <source>The strands cross</source>
+        <translation>Kollar çapraz</translation>
+    </message>
+    <message>
+        <source>Hand of the helix</source>
+        <translation>Helis yönü</translation>
+    </message>
+    <message>
+        <source>usual hand</source>
+        <translation>olağan yön</translation>
+    </message>
+    <message>
+        <source>The hand of the first gear&apos;s teeth. Usual: right-hand, or what fits the axes.</source>
+        <translation>Birinci dişlinin diş yönü. Olağan: sağ ya da eksenlere uyan.</translation>
+    </message>
+    <message>
+        <source>The helix changes its hand at the middle of the face, so that no axial force is left.</source>
+        <translation>Helis yönü diş genişliğinin ortasında değişir; eksenel kuvvet kalmaz.</translation>
+    </message>
+    <message>
+        <source>The strands cross between the pulleys, which then turn against each other.</source>
+        <translation>Kollar kasnakların arasında çaprazlanır; kasnaklar ters yönde döner.</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>düz</translation>
+    </message>
+    <message>
+        <source>Change helix angle</source>
+        <translation>Helis açısını değiştir</translation>
+    </message>
+    <message>
+        <source>Change hand</source>
+        <translation>Helis yönünü değiştir</translation>
+    </message>
+    <message>
+        <source>Change herringbone</source>
+        <translation>Çavuş dişini değiştir</translation>
+    </message>
+    <message>
+        <source>Cross strands</source>
+        <translation>Kolları çaprazla</translation>
+    </message>
+    <message>
+        <source>equal on both</source>
+        <translation>ikisinde eşit</translation>
+    </message>
+    <message>
+        <source>A cycloidal disc runs on 4 pins or more.</source>
+        <translation>Bir sikloid disk 4 ya da daha çok pim üzerinde yürür.</translation>
+    </message>
+    <message>
+        <source>A worm has 1 to %1 starts, fewer than its wheel has teeth.</source>
+        <translation>Bir sonsuz vidanın 1 ile %1 arasında ağzı vardır, çarkının dişlerinden az.</translation>
+    </message>
+    <message>
+        <source>Worm stage</source>
+        <translation>Sonsuz vida kademesi</translation>
+    </message>
+    <message>
+        <source>worm wheel</source>
+        <translation>sonsuz vida çarkı</translation>
+    </message>
+    <message>
+        <source>The pitch of a belt is above 0.</source>
+        <translation>Bir kayışın adımı 0&apos;dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>Belt drive</source>
+        <translation>Kayış tahriki</translation>
+    </message>
+    <message>
+        <source>driving pulley</source>
+        <translation>süren kasnak</translation>
+    </message>
+    <message>
+        <source>driven pulley</source>
+        <translation>sürülen kasnak</translation>
+    </message>
+    <message>
+        <source>The circular spline has more teeth than the flexspline, usually two.</source>
+        <translation>Dairesel dişlinin dişleri esnek dişliden çoktur, genellikle iki tane.</translation>
+    </message>
+    <message>
+        <source>Strain wave drive</source>
+        <translation>Dalga dişli tahriki</translation>
+    </message>
+    <message>
+        <source>wave generator</source>
+        <translation>dalga üreteci</translation>
+    </message>
+    <message>
+        <source>flexspline</source>
+        <translation>esnek dişli</translation>
+    </message>
+    <message>
+        <source>Cycloidal drive</source>
+        <translation>Sikloid tahrik</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>krank</translation>
+    </message>
+    <message>
+        <source>cycloidal disc</source>
+        <translation>sikloid disk</translation>
+    </message>
+    <message>
+        <source>RV reducer</source>
+        <translation>RV redüktörü</translation>
+    </message>
+    <message>
+        <source>eccentric</source>
+        <translation>eksantrik</translation>
+    </message>
+    <message>
+        <source>Starts of the worm</source>
+        <translation>Sonsuz vidanın ağızları</translation>
+    </message>
+    <message>
+        <source>Teeth of the wheel</source>
+        <translation>Çarkın dişleri</translation>
+    </message>
+    <message>
+        <source>Driving pulley</source>
+        <translation>Süren kasnak</translation>
+    </message>
+    <message>
+        <source>Driven pulley</source>
+        <translation>Sürülen kasnak</translation>
+    </message>
+    <message>
+        <source>Flexspline</source>
+        <translation>Esnek dişli</translation>
+    </message>
+    <message>
+        <source>Circular spline</source>
+        <translation>Dairesel dişli</translation>
+    </message>
+    <message>
+        <source>Pins of the ring</source>
+        <translation>Halkanın pimleri</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Güneş</translation>
+    </message>
+    <message>
+        <source>Planet</source>
+        <translation>Gezegen</translation>
+    </message>
+    <message>
+        <source>One turn of &quot;%1&quot; turns &quot;%2&quot; by %3.</source>
+        <translation>&quot;%1&quot; bir tur dönünce &quot;%2&quot; %3 tur döner.</translation>
+    </message>
+    <message>
+        <source>Change its kind: %1</source>
+        <translation>Türünü değiştir: %1</translation>
+    </message>
+    <message>
+        <source>Freewheel: %1 cannot overtake %2</source>
+        <translation>Serbest teker: %1, %2 öğesini geçemez</translation>
+    </message>
+    <message>
+        <source>It locks where the first link would turn faster, about the direction of their axis.</source>
+        <translation>İlk uzuv eksenlerinin yönünde daha hızlı dönecek olursa kilitler.</translation>
+    </message>
+    <message>
+        <source>Add freewheel</source>
+        <translation>Serbest teker ekle</translation>
     </message>
 </context>
 <context>

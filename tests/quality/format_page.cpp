@@ -67,7 +67,7 @@ std::string valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return "whole number from 1 to 100,000";
     case MemberValue::meshKind:
-      return "`external`, `internal`, `bevel`, `belt` or `pins`";
+      return "`external`, `internal`, `bevel`, `belt`, `pins`, `crossedHelical` or `worm`";
     case MemberValue::hand:
       return "`right` or `left`";
     case MemberValue::couplingKind:

@@ -105,9 +105,9 @@ std::string typeOf(DocumentPart part, const MemberInfo& info) {
     case MemberValue::teeth:
       return reference("teeth");
     case MemberValue::meshKind:
-      return choice(
-          std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt, MeshKind::pins},
-          meshKindName);
+      return choice(std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt,
+                               MeshKind::pins, MeshKind::crossedHelical, MeshKind::worm},
+                    meshKindName);
     case MemberValue::hand:
       return choice(std::array{Hand::right, Hand::left}, handName);
     case MemberValue::sharing:

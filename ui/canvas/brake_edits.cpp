@@ -36,6 +36,11 @@ Edit clutchEdit(LinkId one, LinkId other) {
       0};
 }
 
+Edit freewheelEdit(LinkId one, LinkId other) {
+  return {tr("Add freewheel"),
+          [one, other](const Mechanism& mechanism) { return withFreewheel(mechanism, one, other); }, 0};
+}
+
 Edit engageEdit(const Mechanism& now, ShiftElementId coupling, bool engaged) {
   return {(engaged ? tr("Engage %1") : tr("Release %1")).arg(describe(now, {coupling})),
           [=](const Mechanism& mechanism) { return withCouplingEngaged(mechanism, coupling, engaged); }, 0};

@@ -70,6 +70,22 @@ void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const Co
   }
 }
 
+/// One for each link that may not overtake the other.
+void addFreewheels(QMenu& menu, const Mechanism& mechanism, LinkId one, LinkId other,
+                   const ContextActions& actions) {
+  if (couplingOf(mechanism, ShiftElementKind::freewheel, {one, other}) != nullptr) return;
+  for (const auto& [first, second] : {std::pair(one, other), std::pair(other, one)}) {
+    QAction* entry = add(menu,
+                         tr("Freewheel: %1 cannot overtake %2")
+                             .arg(describe(mechanism, {first}), describe(mechanism, {second})),
+                         {}, [addFreewheel = actions.addFreewheel, first = first, second = second] {
+                           addFreewheel(first, second);
+                         });
+    entry->setToolTip(
+        tr("It locks where the first link would turn faster, about the direction of their axis."));
+  }
+}
+
 void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions& actions) {
   std::vector<LinkId> links;
   for (const ElementId& element : actions.selected) {
@@ -96,6 +112,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
       [addClutch = actions.addClutch, one, other] { addClutch(one, other); },
       ground ? tr("hold the link with a brake") : QString());
   MenuPreview::of(menu).add(entry, clutchEdit(one, other));
+  addFreewheels(menu, mechanism, one, other, actions);
 }
 
 void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const ContextActions& actions) {
@@ -110,8 +127,11 @@ void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const Con
           {}, [flipSide = actions.flipSide, ofTail] { flipSide(ofTail); });
     }
   } else if (const std::optional<MeshKind> other = pairKind(*kind).other) {
-    add(menu, hasRing(*other) ? tr("Make it internal") : tr("Make it external"), {},
-        [setMeshKind = actions.setMeshKind, other] { setMeshKind(*other); });
+    const QString text = hasRing(*other) ? tr("Make it internal")
+                         : hasParallelAxes(*other)
+                             ? tr("Make it external")
+                             : tr("Change its kind: %1").arg(QString::fromStdString(kindWord(*other)));
+    add(menu, text, {}, [setMeshKind = actions.setMeshKind, other] { setMeshKind(*other); });
   }
   addTick(menu, tr("Pin the module"), isPinned(element),
           [pin = actions.pin, mesh](bool on) { pin(mesh, on); });

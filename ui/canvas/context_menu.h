@@ -27,6 +27,7 @@ struct ContextActions {
   std::function<void(bool)> flipSide;                    ///< of a bevel mesh: its tail or its head
   std::function<void()> addBrake;                        ///< the link, with a new brake
   std::function<void(LinkId, LinkId)> addClutch;         ///< two links, with a new clutch
+  std::function<void(LinkId, LinkId)> addFreewheel;      ///< the first may not overtake the second
   std::function<void(ShiftElementId, bool)> engage;      ///< or release a brake or a clutch
   std::function<void(const ElementId&)> removeCoupling;  ///< removes a brake or a clutch
   std::function<void()> remove;

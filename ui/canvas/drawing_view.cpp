@@ -407,6 +407,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Canv
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
   actions.addBrake = [this, link] { m_commands.addBrake(link); };
   actions.addClutch = [this](LinkId one, LinkId other) { m_commands.addClutch(one, other); };
+  actions.addFreewheel = [this](LinkId one, LinkId other) { m_commands.addFreewheel(one, other); };
   actions.engage = [this](ShiftElementId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
   actions.removeCoupling = [this](const ElementId& coupling) { m_commands.removeCoupling(coupling); };
   actions.remove = [this] { deleteSelected(); };

@@ -217,6 +217,10 @@ void ElementCommands::addClutch(LinkId one, LinkId other) {
   m_document.apply(clutchEdit(one, other));
 }
 
+void ElementCommands::addFreewheel(LinkId one, LinkId other) {
+  m_document.apply(freewheelEdit(one, other));
+}
+
 void ElementCommands::engage(ShiftElementId coupling, bool engaged) {
   m_document.apply(engageEdit(*m_document.mechanism(), coupling, engaged));
 }

@@ -39,6 +39,7 @@ class ElementCommands {
   void flipSide(MeshId mesh, bool ofTail);                ///< of a bevel: to the other side of the apex
   void addBrake(LinkId link);                             ///< with a new brake that is engaged
   void addClutch(LinkId one, LinkId other);               ///< with a new clutch that is engaged
+  void addFreewheel(LinkId one, LinkId other);            ///< `one` may not turn faster than `other`
   void engage(ShiftElementId coupling, bool engaged);
   /// Engages or releases the brake of the link; adds one if it has none.
   void toggleBrake(LinkId link);

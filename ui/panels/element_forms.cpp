@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -23,6 +24,18 @@
 
 namespace geargraph {
 namespace {
+
+/// Which axes a kind of mesh needs.
+QString axesTip(MeshKind kind) {
+  if (hasSkewAxes(kind)) {
+    return pairKind(kind).isThreaded
+               ? QCoreApplication::translate("MeshForm", "Axes that cross at right angles without meeting. The gear with "
+                                                         "fewer teeth is the worm: they are its starts.")
+               : QCoreApplication::translate("MeshForm", "Axes that cross without meeting.");
+  }
+  if (hasIntersectingAxes(kind)) return QCoreApplication::translate("MeshForm", "Axes that meet.");
+  return QCoreApplication::translate("MeshForm", "Parallel axes.");
+}
 
 /// The value that all elements share, or nothing.
 template <class Element, class Get>
@@ -272,6 +285,11 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
       m_headSlider(new TeethSlider(this)),
       m_kind(new QComboBox(this)),
       m_module(makeNumber(QStringLiteral("module"))),
+      m_helixRow(new QWidget(this)),
+      m_helix(makeNumber(QStringLiteral("helixAngle"))),
+      m_hand(new QComboBox(this)),
+      m_herringbone(new QCheckBox(tr("herringbone"), this)),
+      m_crossed(new QCheckBox(tr("The strands cross"), this)),
       m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"))),
       m_ratio(new QLabel(this)),
       m_pinTail(makePin(tr("tail"), pinTeethTip(), tailOf)),
@@ -288,7 +306,10 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
                          .arg(kMaxFittedMeshes));
   m_kind->setObjectName(QStringLiteral("meshKind"));
   m_kind->addItem(tr("from the geometry"));
-  for (const MeshKind kind : meshKinds()) m_kind->addItem(QString::fromStdString(kindWord(kind)));
+  for (const MeshKind kind : meshKinds()) {
+    m_kind->addItem(QString::fromStdString(kindWord(kind)));
+    m_kind->setItemData(m_kind->count() - 1, axesTip(kind), Qt::ToolTipRole);
+  }
   const bool one = elements().size() == 1;
   const GearMesh& first = *this->meshes().front();
   addTeethRow(one ? tr("Teeth of gear %1").arg(label(first.tail)) : tr("Teeth, tail"), m_tailTeeth,
@@ -298,6 +319,7 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   addRow(tr("Ratio"), Term::gearRatio, m_ratio);
   addRow(tr("Module"), Term::module, m_module);
   addRow(tr("Kind"), Term::meshKind, m_kind);
+  addHelixRow();
   addRow(tr("Pitch point"), Term::pitchPoint, m_pitchPoint);
   if (one) {
     m_pinTail->setText(tr("gear %1").arg(label(first.tail)));
@@ -310,6 +332,7 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   addWide(m_tooMany);
 
   connectTeeth();
+  connectHelix();
   m_module->setEmptyText(tr("several"));
   m_module->setStep(Rational(1, 4));
   connect(m_module, &NumberField::edited, this, [this](const std::optional<Number>& number) {
@@ -373,6 +396,7 @@ void MeshForm::refresh() {
   m_kind->setPlaceholderText(tr("several"));
   m_kind->setCurrentIndex(!kind ? -1 : (*kind ? static_cast<int>(**kind) + 1 : 0));
   refreshGeometry(all);
+  refreshHelix(all);
 }
 
 void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {

@@ -84,6 +84,10 @@ class MeshForm : public PropertyForm {
   void connectTeeth();
   void slideTeeth(bool ofTail, int teeth);
   void refreshGeometry(const std::vector<const GearMesh*>& meshes);
+  void addHelixRow();
+  void connectHelix();
+  /// Shows what only some kinds have where all meshes are of such kinds.
+  void refreshHelix(const std::vector<const GearMesh*>& meshes);
 
   NumberField* m_tailTeeth;
   NumberField* m_headTeeth;
@@ -92,6 +96,11 @@ class MeshForm : public PropertyForm {
   std::optional<PlacedMechanism> m_slidFrom;  ///< state at the start of a slider drag
   QComboBox* m_kind;
   NumberField* m_module;
+  QWidget* m_helixRow;
+  NumberField* m_helix;  ///< degrees
+  QComboBox* m_hand;
+  QCheckBox* m_herringbone;
+  QCheckBox* m_crossed;  ///< strands of a belt
   TripleField* m_pitchPoint;
   QLabel* m_ratio;
   QCheckBox* m_pinTail;

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/design/synthesis/bevel_sets.h"
+#include "core/design/synthesis/drive_sets.h"
 #include "core/design/synthesis/shifting_sets.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/set_forms.h"
@@ -59,6 +60,40 @@ SetForm* wristForm() {
                        });
 }
 
+SetForm* wormForm() {
+  return new TeethForm({{InsertSetDialog::tr("Starts of the worm"), "starts", 1, 1, kMaxStarts},
+                        {InsertSetDialog::tr("Teeth of the wheel"), "wormWheel", 40}},
+                       [](const Counts& c) {
+                         return wormStage({c[0], c[1]});
+                       });
+}
+
+SetForm* beltForm() {
+  return new TeethForm({{InsertSetDialog::tr("Driving pulley"), "drivingPulley", 20},
+                        {InsertSetDialog::tr("Driven pulley"), "drivenPulley", 40}},
+                       [](const Counts& c) {
+                         return beltStage({c[0], c[1]});
+                       });
+}
+
+SetForm* strainWaveForm() {
+  return new TeethForm({{InsertSetDialog::tr("Flexspline"), "flexspline", 200},
+                        {InsertSetDialog::tr("Circular spline"), "circularSpline", 202}},
+                       [](const Counts& c) { return strainWave(c[0], c[1]); });
+}
+
+SetForm* cycloidalForm() {
+  return new TeethForm({{InsertSetDialog::tr("Pins of the ring"), "pins", 16}},
+                       [](const Counts& c) { return cycloidalDrive(c[0]); });
+}
+
+SetForm* rvForm() {
+  return new TeethForm({{InsertSetDialog::tr("Sun"), "rvSun", 12},
+                        {InsertSetDialog::tr("Planet"), "rvPlanet", 36},
+                        {InsertSetDialog::tr("Pins of the ring"), "rvPins", 40}},
+                       [](const Counts& c) { return rvReducer(c[0], c[1], c[2]); });
+}
+
 }  // namespace
 
 InsertSetDialog::InsertSetDialog(QWidget* parent)
@@ -79,6 +114,11 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
   addKind(tr("Ravigneaux set"), ravigneauxForm());
   addKind(tr("Simpson set"), simpsonForm());
   addKind(tr("Bevel wrist"), wristForm());
+  addKind(tr("Worm stage"), wormForm());
+  addKind(tr("Belt drive"), beltForm());
+  addKind(tr("Strain wave drive"), strainWaveForm());
+  addKind(tr("Cycloidal drive"), cycloidalForm());
+  addKind(tr("RV reducer"), rvForm());
   m_summary->setWordWrap(true);
   m_summary->setObjectName(QStringLiteral("summary"));
   m_insert->setObjectName(QStringLiteral("insert"));
@@ -147,6 +187,11 @@ void InsertSetDialog::renew() {
   if (!set->engaged.empty()) text += tr("; brake %1 is engaged").arg(shownText(set->engaged.front().text()));
   if (!set->states.empty())
     text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());
+  if (const auto ratio = ratioOfSet(*set)) {
+    const auto name = [&](LinkOrdinal link) { return shownText(set->links[link].name); };
+    text += '\n' + tr("One turn of \"%1\" turns \"%2\" by %3.")
+                       .arg(name(ratio->input), name(ratio->output), shownText(ratio->speed.toString()));
+  }
   m_summary->setText(text);
   m_preview->setMechanism(*set);
 }

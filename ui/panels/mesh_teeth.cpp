@@ -1,8 +1,13 @@
-// The teeth of a mesh, typed or slid.
+// The teeth of a mesh, typed or slid, and their helix.
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
 
 #include "core/mechanism/geometry_edits/fitted_edits.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/teeth_slider.h"
@@ -68,6 +73,82 @@ void MeshForm::slideTeeth(bool ofTail, int teeth) {
                 }
                 return next;
               });
+}
+
+void MeshForm::addHelixRow() {
+  m_hand->setObjectName(QStringLiteral("hand"));
+  m_hand->setAccessibleName(tr("Hand of the helix"));
+  m_hand->addItem(tr("usual hand"));
+  for (const Hand hand : {Hand::right, Hand::left}) m_hand->addItem(QString::fromStdString(handWord(hand)));
+  m_hand->setToolTip(tr("The hand of the first gear's teeth. Usual: right-hand, or what fits the axes."));
+  m_herringbone->setObjectName(QStringLiteral("herringbone"));
+  m_herringbone->setToolTip(
+      tr("The helix changes its hand at the middle of the face, so that no axial force is left."));
+  m_crossed->setObjectName(QStringLiteral("crossed"));
+  m_crossed->setToolTip(tr("The strands cross between the pulleys, which then turn against each other."));
+  m_helix->setAccessibleName(tr("Helix angle"));
+  auto* layout = new QHBoxLayout(m_helixRow);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(m_helix, 2);
+  layout->addWidget(m_hand, 2);
+  layout->addWidget(m_herringbone);
+  addRow(tr("Helix angle"), Term::helixAngle, m_helixRow);
+  addWide(m_crossed);
+}
+
+void MeshForm::connectHelix() {
+  m_helix->setEmptyText(tr("straight"));
+  connect(m_helix, &NumberField::edited, this, [this](const std::optional<Number>& degrees) {
+    apply(tr("Change helix angle"), [degrees](Mechanism before, const ElementId& id) {
+      return withHelixAngle(std::move(before), MeshId(id.id), degrees);
+    });
+  });
+  connect(m_hand, &QComboBox::activated, this, [this](int index) {
+    newGesture();
+    const auto hand = index <= 0 ? std::nullopt : std::optional(index == 1 ? Hand::right : Hand::left);
+    apply(tr("Change hand"), [hand](Mechanism before, const ElementId& id) {
+      return withHand(std::move(before), MeshId(id.id), hand);
+    });
+  });
+  connect(m_herringbone, &QCheckBox::clicked, this, [this](bool on) {
+    newGesture();
+    apply(tr("Change herringbone"), [on](Mechanism before, const ElementId& id) {
+      return withHerringbone(std::move(before), MeshId(id.id), on);
+    });
+  });
+  connect(m_crossed, &QCheckBox::clicked, this, [this](bool on) {
+    newGesture();
+    apply(tr("Cross strands"), [on](Mechanism before, const ElementId& id) {
+      return withCrossed(std::move(before), MeshId(id.id), on);
+    });
+  });
+}
+
+void MeshForm::refreshHelix(const std::vector<const GearMesh*>& meshes) {
+  const auto all = [&](const auto& has) {
+    return std::all_of(meshes.begin(), meshes.end(), [&](const GearMesh* mesh) { return has(*mesh); });
+  };
+  const auto kindOf = [](const GearMesh& mesh) -> const PairKind& { return pairKind(saidKind(mesh)); };
+  const bool isHelical = all([&](const GearMesh& mesh) {
+    return kindOf(mesh).touches && kindOf(mesh).axes != LinePosition::intersecting;
+  });
+  const bool isWorm = all([&](const GearMesh& mesh) { return kindOf(mesh).isThreaded; });
+  const bool isParallel = all([&](const GearMesh& mesh) { return kindOf(mesh).axes == LinePosition::parallel; });
+  setRowShown(m_helixRow, isHelical);
+  m_herringbone->setVisible(isParallel);
+  m_helix->setVisible(!isWorm);
+  m_crossed->setVisible(all([&](const GearMesh& mesh) { return kindOf(mesh).canCross; }));
+  const QSignalBlocker quietHand(m_hand);
+  const GearMesh& first = *meshes.front();
+  m_helix->setEmptyText(isParallel ? tr("straight") : tr("equal on both"));
+  const bool isSameAngle = all([&](const GearMesh& mesh) { return mesh.helixAngle == first.helixAngle; });
+  m_helix->setNumber(isSameAngle ? first.helixAngle : std::nullopt);
+  const bool isSameHand = all([&](const GearMesh& mesh) { return mesh.hand == first.hand; });
+  m_hand->setPlaceholderText(tr("several"));
+  m_hand->setCurrentIndex(!isSameHand ? -1 : !first.hand ? 0 : *first.hand == Hand::right ? 1 : 2);
+  m_herringbone->setChecked(all([](const GearMesh& mesh) { return mesh.herringbone; }));
+  m_crossed->setChecked(all([](const GearMesh& mesh) { return mesh.crossed; }));
 }
 
 }  // namespace geargraph

@@ -67,6 +67,11 @@ void PropertyForm::addRow(const QString& name, Term term, QWidget* field) {
   m_rows->addRow(rowLabel, field);
 }
 
+void PropertyForm::setRowShown(QWidget* field, bool shown) {
+  field->setVisible(shown);
+  m_rows->labelForField(field)->setVisible(shown);
+}
+
 /// A row of elements that belong to those of the form; they are highlighted under the mouse and selected by a
 /// click.
 QLabel* PropertyForm::addParts(const QString& name, Term term) {

@@ -67,7 +67,7 @@ class Gear:
     meshes : tuple of int
         Labels of its meshes.
     kind : str
-        "external", "internal" (a ring), "bevel" or "pulley" (of a belt).
+        "external", "internal" (a ring), "bevel", "pulley" (of a belt), "worm" or "wormWheel".
     teeth : int
         Their number.
     module : float

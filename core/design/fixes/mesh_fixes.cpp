@@ -52,14 +52,16 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
   }
 }
 
+Fix kindFix(const Mechanism& mechanism, const GearMesh& mesh, MeshKind kind) {
+  return {filled(translated(std::string_view(pairKind(kind).makeIt)), {wordFor(mechanism, mesh.id)}),
+          [id = mesh.id, kind](const Mechanism& before) { return withMeshKind(before, id, kind); }};
+}
+
 void addKinds(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>& fixes) {
-  const std::string name = wordFor(mechanism, mesh.id);
   for (const MeshKind kind : meshKinds()) {
     // A gear that does not fit is not meant as a belt.
     if (mesh.kind == kind || !mesh.kind || touches(kind) != touches(*mesh.kind)) continue;
-    fixes.push_back(
-        {filled(translated(std::string_view(pairKind(kind).makeIt)), {name}),
-         [id = mesh.id, kind](const Mechanism& before) { return withMeshKind(before, id, kind); }});
+    fixes.push_back(kindFix(mechanism, mesh, kind));
   }
 }
 
@@ -68,7 +70,15 @@ std::vector<Fix> geometryFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   const GearMesh* mesh =
       diagnostic.elements.empty() ? nullptr : mechanism.find(MeshId(diagnostic.elements.front().id));
   if (mesh == nullptr) return {};
-  if (diagnostic.detail == Detail::skewAxes || diagnostic.detail == Detail::coincidentAxes)
+  if (diagnostic.detail == Detail::skewAxes) {
+    std::vector<Fix> crossing;
+    for (const MeshKind kind : meshKinds()) {
+      if (hasSkewAxes(kind)) crossing.push_back(kindFix(mechanism, *mesh, kind));
+    }
+    crossing.push_back(removalOf(snapshot, mesh->id));
+    return crossing;
+  }
+  if (diagnostic.detail == Detail::coincidentAxes)
     return {removalOf(snapshot, mesh->id)};  // the axes themselves would have to move
   std::vector<Fix> fixes;
   addFittingTeeth(snapshot, *mesh, fixes);

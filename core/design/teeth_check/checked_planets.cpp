@@ -44,7 +44,7 @@ CheckedPlanets::CheckedPlanets(const Mechanism& mechanism, const Placement& plac
   for (const MeshOrdinal mesh : group.meshes) {
     const MeshGeometry& geometry = *placement.meshes[mesh];
     const GearMesh& drawn = mechanism.gearMeshes[mesh];
-    if (!touches(geometry.kind)) continue;
+    if (!touches(geometry.kind) || hasSkewAxes(geometry.kind)) continue;
     const bool isInternal = hasRing(geometry.kind);
     const bool isTailRing = isInternal && drawn.tailTeeth > drawn.headTeeth;
     const bool isHeadRing = isInternal && !isTailRing;

@@ -201,7 +201,10 @@ class TeethChecker {
     const MeshGeometry& geometry = *m_placement.meshes[end / 2];
     const std::string name =
         std::to_string(m_mechanism.meshLabel(end / 2)) + (end % 2 == 0 ? ":tail" : ":head");
-    return isPinned(m_mechanism.links[end % 2 == 0 ? geometry.tail : geometry.head]) ||
+    const GearMesh& mesh = m_mechanism.gearMeshes[end / 2];
+    const bool isFewer = end % 2 == 0 ? mesh.tailTeeth < mesh.headTeeth : mesh.headTeeth < mesh.tailTeeth;
+    return (pairKind(geometry.kind).isThreaded && isFewer) ||
+           isPinned(m_mechanism.links[end % 2 == 0 ? geometry.tail : geometry.head]) ||
            std::find(m_wish.kept.begin(), m_wish.kept.end(), name) != m_wish.kept.end();
   }
 
@@ -210,8 +213,9 @@ class TeethChecker {
       const auto any = [&](const auto& is) { return std::any_of(wheel.ends.begin(), wheel.ends.end(), is); };
       const bool isRing = any([&](int end) { return isRingEnd(end); });
       const bool isKept = any([&](int end) { return isKeptEnd(end); });
-      const bool isBevel =
-          any([&](int end) { return hasIntersectingAxes(m_placement.meshes[end / 2]->kind); });
+      const bool isBevel = any([&](int end) {
+        return pairKind(m_placement.meshes[end / 2]->kind).axes != LinePosition::parallel;
+      });
       std::set<int> counts;
       if (isKept) {
         counts.insert(drawn(wheel.ends.front()));

@@ -40,7 +40,7 @@ PlanetCondition::PlanetCondition(const std::vector<PlanetGroup>& set, const Plac
   const auto wheel = [&](GearOrdinal gear) { return wheelAt[static_cast<std::size_t>(int{gear})]; };
   for (const MeshOrdinal mesh : group.meshes) {
     const TrainPair* const pair = pairOf(train, mesh);
-    if (pair == nullptr || !touches(pair->kind)) continue;
+    if (pair == nullptr || !touches(pair->kind) || hasSkewAxes(pair->kind)) continue;
     const auto tail = memberOf(train.wheels[pair->tail].link);
     const auto head = memberOf(train.wheels[pair->head].link);
     for (const GearOrdinal gear : {pair->tail, pair->head}) m_wheels.push_back(wheel(gear));

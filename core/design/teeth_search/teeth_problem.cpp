@@ -67,6 +67,11 @@ class ProblemMaker {
     return hasRing(m_placement.meshes[end / 2]->kind) && drawnTeeth(end) > drawnTeeth(end ^ 1);
   }
 
+  /// Its teeth are the starts of a thread.
+  [[nodiscard]] bool isWorm(int end) const {
+    return pairKind(m_placement.meshes[end / 2]->kind).isThreaded && drawnTeeth(end) < drawnTeeth(end ^ 1);
+  }
+
   /// Ends of one wheel of the train, and of corresponding wheels of equal planets.
   void makeWheels() {
     const std::size_t ends = 2 * m_mechanism.gearMeshes.size();
@@ -102,8 +107,9 @@ class ProblemMaker {
       SearchedWheel& of = m_problem.wheels[static_cast<std::size_t>(wheel)];
       of.ends.push_back(end);
       of.isRing = of.isRing || isRing(end);
-      of.isBevel = of.isBevel || hasIntersectingAxes(m_placement.meshes[end / 2]->kind);
-      of.isKept = of.isKept || isPinned(m_mechanism.links[linkOf(end)]) || isKept(endName(m_mechanism, end));
+      of.isBevel = of.isBevel || pairKind(m_placement.meshes[end / 2]->kind).axes != LinePosition::parallel;
+      of.isKept = of.isKept || isPinned(m_mechanism.links[linkOf(end)]) ||
+                  isKept(endName(m_mechanism, end)) || isWorm(end);
       m_problem.wheelOfEnd[static_cast<std::size_t>(end)] = wheel;
       const int gear = gearOfEnd[static_cast<std::size_t>(end)];
       gears[static_cast<std::size_t>(wheel)].insert(gear);

@@ -87,15 +87,17 @@ enum class Detail {
   equalPlanets,  ///< meshes of equal planets, which share the load: a note
   // pitch-geometry
   skewAxes,
-  coincidentAxes,      ///< the two axes of a mesh are one line in the reference pose
-  pitchPointOffPlane,  ///< it is not in the plane of the two axes
-  kindAgainstAxes,     ///< `kind` contradicts the position of the axes
-  noBevelPair,         ///< an edit of bevels, on another pair
+  coincidentAxes,              ///< the two axes of a mesh are one line in the reference pose
+  pitchPointOffPlane,          ///< it is not in the plane of the two axes
+  pitchPointOffPerpendicular,  ///< of skew axes: it is not on their common perpendicular, between them
+  kindAgainstAxes,             ///< `kind` contradicts the position of the axes
+  noBevelPair,                 ///< an edit of bevels, on another pair
   // teeth-geometry
   kindAgainstSides,   ///< `kind` contradicts the sides of the axes on which the pitch point lies
   teethAgainstRadii,  ///< the ratio of the teeth is not that of the pitch radii
   equalInternalTeeth,
   helixAgainstTeeth,  ///< the helix angle does not fit the pair, or another pair of the same wheel
+  wormTeeth,          ///< numbers of starts and teeth that no worm and wheel have
   beltGeometry,       ///< no strand can run round the pulleys of a belt, or its ends say different things
   pinnedWheel,        ///< an edit that would have to change pinned gears or axes
   pinnedModule,

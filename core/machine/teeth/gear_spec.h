@@ -6,7 +6,7 @@ namespace geargraph {
 
 /// The kinds of wheels. What differs between them is asked of the kind: of its WheelKind (wheel_kind.h), or
 /// of its facet in the table of a layer that adds something. Nothing else compares kinds.
-enum class GearKind { external, internal, bevel, pulley };
+enum class GearKind { external, internal, bevel, pulley, worm, wormWheel };
 
 /// The style of the part below the teeth.
 enum class GearBody {
@@ -23,6 +23,11 @@ enum class GearBody {
 /// A helical wheel is described by its transverse section, like a spur wheel: module m_n / cos b, pressure
 /// angle atan(tan a_n / cos b), and proportions and shift of the normal section times cos b (helical()). Its
 /// section at z is the one at mid face turned by z tan(b) / r (twistOf()).
+///
+/// A worm is described like a helical wheel with as many teeth as it has starts: helix angle 90 degrees less
+/// its lead angle g, so that its transverse module is the axial one over tan g. Its wheel has the helix angle
+/// g and the worm's axial module; the worm's axis passes at `mateRadius` outside its pitch circle, over mid
+/// face.
 struct GearSpec {
   GearKind kind = GearKind::external;
   int teeth = 20;
@@ -44,6 +49,8 @@ struct GearSpec {
   GearBody body = GearBody::plain;
   double helixAngle = 0;     ///< at the reference cylinder, rad, positive: right-hand. Not for bevels
   bool herringbone = false;  ///< `helixAngle` is that of the half below mid face, the other half mirrors it
+  int mateTeeth = 0;         ///< worm wheel: starts of the worm that cuts it
+  double mateRadius = 0;     ///< worm wheel: pitch radius of that worm
 
   friend bool operator==(const GearSpec&, const GearSpec&) = default;
 };

@@ -8,7 +8,7 @@
 #include "core/machine/teeth/half_tooth.h"
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 4;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 6;
 
 namespace geargraph {
 
@@ -25,6 +25,10 @@ struct WheelKind {
   double (*shareOfVirtual)(const GearSpec& spec) = nullptr;
   /// The generated tooth, with chords of at most `tolerance` modules; null for a wheel without teeth.
   HalfTooth (*tooth)(const GearSpec& spec, double tolerance) = nullptr;
+  /// The wheel with a helix, of one whose measures are those of the normal section.
+  GearSpec (*withHelix)(GearSpec normal, double helixAngle) = helical;
+  /// The face width where the document gives none, a length; null: so many modules.
+  double (*usualFace)(const GearSpec& spec) = nullptr;
   /// As contactRatio() (tooth_pair.h), of a wheel `a` of this kind. Unused without teeth.
   double (*contactRatio)(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
                          const HalfTooth& toothB, double distance) = nullptr;

@@ -41,6 +41,12 @@ double addendumRatio(const PlaneGear& gear, const PlaneGear& partner, double pre
 }
 
 MeshContact contactOf(const TrainPair& pair, const GearSpec& tailSpec, const GearSpec& headSpec) {
+  if (hasSkewAxes(pair.kind)) {
+    MeshContact crossed;
+    crossed.pressureAngle = normalPressureAngle(tailSpec);
+    crossed.crossing = {tailSpec.helixAngle, headSpec.helixAngle};
+    return crossed;
+  }
   const PlaneGear tail = planeGear(tailSpec);
   const PlaneGear head = planeGear(headSpec);
   MeshContact contact;

@@ -23,6 +23,13 @@ struct MeshContact {
   /// right-hand, 0 of herringbone teeth; and the size of the helix angle at the base cylinder.
   double helix = 0;
   double baseHelix = 0;
+  /// Gears on skew axes slide along their teeth, which decides their losses: their helix angles at the pitch
+  /// cylinders, rad, positive right-hand. `pressureAngle` is that of the normal section then.
+  struct Crossing {
+    double tailHelix = 0;
+    double headHelix = 0;
+  };
+  std::optional<Crossing> crossing = {};
 };
 
 /// The tooth loss factor H_v: the lost fraction of the power through the teeth per coefficient of friction,

@@ -7,13 +7,14 @@ constexpr PairWheels kTwoDiscs{GearKind::external, GearKind::external};
 constexpr PairWheels kDiscInRing{GearKind::external, GearKind::internal};
 constexpr PairWheels kTwoCones{GearKind::bevel, GearKind::bevel};
 constexpr PairWheels kTwoPulleys{GearKind::pulley, GearKind::pulley};
+constexpr PairWheels kWormAndWheel{GearKind::worm, GearKind::wormWheel};
 constexpr PairWheels kNoWheels{.smaller = GearKind::pulley, .larger = GearKind::pulley, .none = true};
 
 }  // namespace
 
 KindTable<MeshKind, PairWheels>& pairWheels() {
   static constinit KindTable<MeshKind, PairWheels> table(&kTwoDiscs, &kDiscInRing, &kTwoCones, &kTwoPulleys,
-                                                         &kNoWheels);
+                                                         &kNoWheels, &kTwoDiscs, &kWormAndWheel);
   return table;
 }
 

@@ -107,6 +107,8 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
   const std::string pair = translated("Mesh %1, %2 and %3 teeth",
                                       {std::to_string(m_mechanism.meshLabel(mesh.mesh)),
                                        std::to_string(tail.spec.teeth), std::to_string(head.spec.teeth)});
+  // Gears on skew axes touch in a point that runs along the teeth: no ratio of a plane is theirs.
+  if (hasSkewAxes(saidKind(m_mechanism.gearMeshes[mesh.mesh]))) return;
   const double distance = distanceOf(tail, head);
   addContact(contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance), pair, id);
   if (isConical(tail.spec)) {

@@ -33,7 +33,7 @@ PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>&
   }
   std::vector<PhaseMesh> meshes;
   for (const TrainPair& pair : train.pairs) {
-    if (touches(pair.kind)) meshes.push_back({pair.tail, pair.head, pair.pitchPoint});
+    if (touches(pair.kind)) meshes.push_back({pair.tail, pair.head, pair.pitchPoint, pair.normal});
   }
   return solvePhases(wheels, meshes);
 }

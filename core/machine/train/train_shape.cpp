@@ -19,8 +19,9 @@
 namespace geargraph {
 namespace {
 
-constexpr double kDefaultSpurFace = 8;  // modules
-constexpr double kMaxBevelFace = 10;    // modules
+constexpr double kDefaultSpurFace = 8;      // modules
+constexpr double kDefaultCrossedFace = 10;  // modules: contact runs along the face
+constexpr double kMaxBevelFace = 10;        // modules
 
 /// Wheels that mesh with each other on parallel axes, so that one module is theirs.
 DisjointSets wheelsOfOneModule(const TrainWheels& train) {
@@ -212,7 +213,9 @@ void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
   }
 }
 
-double defaultFace(const GearSpec& spec) {
+double defaultFace(const GearSpec& spec, MeshKind kind) {
+  if (const auto own = wheelKind(spec.kind).usualFace) return own(spec);
+  if (hasSkewAxes(kind)) return kDefaultCrossedFace * normalModule(spec);
   if (!isConical(spec)) return kDefaultSpurFace * normalModule(spec);
   return std::min(coneDistance(spec) / 3, kMaxBevelFace * spec.module);
 }
@@ -231,7 +234,7 @@ void setFaces(const Mechanism& mechanism, TrainWheels& train) {
     pair.openFace = !stated || stated->value() <= 0;
     for (const GearOrdinal w : {pair.tail, pair.head}) {
       const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
-      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec);
+      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec, pair.kind);
       if (isConical(wheel.spec)) face = std::min(face, 0.6 * coneDistance(wheel.spec));
       const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
       const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
@@ -298,7 +301,7 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop
     if (fixed.back()) wheel.spec.profileShift = drawn->profileShift->value();
     wheel.spec.body = GearBody::dressed;
     if (const double helix = std::exchange(wheel.spec.helixAngle, 0); helix != 0)
-      wheel.spec = helical(wheel.spec, helix);
+      wheel.spec = wheelKind(wheel.spec.kind).withHelix(wheel.spec, helix);
   }
   setModules(mechanism, train);
   setShifts(train, fixed, stop);

@@ -47,7 +47,7 @@ std::vector<Plane> planesOf(const TrainWheels& train) {
   for (const TrainPair& pair : train.pairs) {
     const int a = planeOf[static_cast<std::size_t>(pair.tail)];
     const int b = planeOf[static_cast<std::size_t>(pair.head)];
-    if (!hasIntersectingAxes(pair.kind) && a != b) join(std::max(a, b), std::min(a, b));
+    if (pairKind(pair.kind).axes == LinePosition::parallel && a != b) join(std::max(a, b), std::min(a, b));
   }
   for (const TrainPair& pair : train.pairs) {
     if (!pair.movable)

@@ -50,6 +50,8 @@ class WheelFinder {
                                          GearKind kind) const;
   [[nodiscard]] TrainWheel pulley(const WheelSide& side, const MeshGeometry& geometry,
                                   int partnerTeeth) const;
+  [[nodiscard]] TrainWheel crossedWheel(const WheelSide& side, const WheelSide& partner,
+                                        const MeshGeometry& geometry) const;
   void bevelWheels(const WheelSide& tail, const WheelSide& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
   void setHelices(const GearMesh& drawn, const MeshGeometry& geometry, TrainWheel& a, TrainWheel& b) const;
@@ -67,19 +69,24 @@ class WheelFinder {
 
 void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   const GearMesh& drawn = m_mechanism.gearMeshes[mesh];
-  const WheelSide tail{geometry.tail, geometry.tailClass, drawn.tailTeeth, std::abs(geometry.tailRadius),
+  const WheelSide tail{geometry.tail, geometry.tailClass, drawn.tailTeeth, geometry.tailPitchRadius(),
                        drawn.tailWheel};
-  const WheelSide head{geometry.head, geometry.headClass, drawn.headTeeth, std::abs(geometry.headRadius),
+  const WheelSide head{geometry.head, geometry.headClass, drawn.headTeeth, geometry.headPitchRadius(),
                        drawn.headWheel};
   TrainPair pair;
   pair.mesh = mesh;
   pair.kind = geometry.kind;
   pair.pitchPoint = wide(geometry.pitchPoint);
-  pair.movable = geometry.derived && !hasIntersectingAxes(geometry.kind);
+  pair.movable = geometry.derived && pairKind(geometry.kind).axes == LinePosition::parallel;
   TrainWheel a;
   TrainWheel b;
   if (hasIntersectingAxes(geometry.kind)) {
     bevelWheels(tail, head, geometry, a, b);
+  } else if (hasSkewAxes(geometry.kind)) {
+    pair.distance = tail.radius + head.radius;
+    pair.normal = wide(geometry.normal);
+    a = crossedWheel(tail, head, geometry);
+    b = crossedWheel(head, tail, geometry);
   } else if (!touches(geometry.kind)) {
     pair.distance =
         wide(geometry.tailToHead).cross(wide(m_placement.lineOfClass(tail.axisGroup).direction)).norm();
@@ -129,6 +136,18 @@ TrainWheel WheelFinder::pulley(const WheelSide& side, const MeshGeometry& geomet
   const int times = (kFewest + std::min(side.teeth, partnerTeeth) - 1) / std::min(side.teeth, partnerTeeth);
   TrainWheel wheel = parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partnerTeeth));
   wheel.spec = standardGear(wheel.spec.kind, side.teeth * times, 2 * side.radius / (side.teeth * times), 1);
+  return wheel;
+}
+
+/// A wheel on skew axes, with the module of its normal section: that of both.
+TrainWheel WheelFinder::crossedWheel(const WheelSide& side, const WheelSide& partner,
+                                     const MeshGeometry& geometry) const {
+  TrainWheel wheel = parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partner.teeth));
+  wheel.spec.module = 2 * std::abs(geometry.tailRadius) / geometry.tailTeeth;
+  if (pairKind(geometry.kind).isThreaded) {
+    wheel.spec.mateTeeth = partner.teeth;
+    wheel.spec.mateRadius = partner.radius;
+  }
   return wheel;
 }
 

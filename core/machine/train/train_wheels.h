@@ -31,6 +31,8 @@ struct TrainPair {
   GearOrdinal head;
   MeshKind kind = kUsualKind;
   Eigen::Vector3d pitchPoint;
+  /// Of skew axes: the tooth normal in the plane that touches both pitch cylinders; else 0.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double distance = 0;    ///< of the axes; 0 for bevels
   bool movable = false;   ///< the document leaves the pair's position along the axes open
   bool openFace = false;  ///< the document gives no face width

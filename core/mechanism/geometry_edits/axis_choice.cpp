@@ -100,6 +100,7 @@ Expected<PlacedMechanism> withKindsFor(PlacedMechanism next, AxisId axis, const 
         std::find_if(all.begin(), all.end(), [&](const Neighbour& each) { return each.mesh == before.mesh; });
     if (now == all.end()) continue;
     const bool parallel = areParallel(direction, lineOf(next, now->axis).direction);
+    if (hasSkewAxes(now->kind) && !parallel) continue;
     if (parallel == (pairKind(now->kind).axes == LinePosition::parallel)) continue;
     const MeshKind fitting = usualKind(parallel ? LinePosition::parallel : LinePosition::intersecting);
     auto changed = withKindFitted(next, now->mesh, fitting);

@@ -254,6 +254,7 @@ class PitchPointFitter {
     const ExactLine head = lineNow(was.headClass);
     const GearMesh& element = m_edited.gearMeshes[mesh];
     if (hasIntersectingAxes(was.kind)) return bevelPoint(mesh, was, tail, head);
+    if (hasSkewAxes(was.kind)) return crossedPoint(was, tail, head);
     const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
                                   head.direction, element.tailTeeth, element.headTeeth};
     const bool alike = turnsAlike(element.kind.value_or(was.kind));
@@ -263,6 +264,20 @@ class PitchPointFitter {
   }
 
  private:
+  /// On the common perpendicular of both axes, at the share of their distance where it was.
+  [[nodiscard]] static ExactVector3 crossedPoint(const MeshGeometry& was, const ExactLine& tail,
+                                                 const ExactLine& head) {
+    const ExactVector3 normal = cross(tail.direction, head.direction);
+    const ExactVector3 between = head.point - tail.point;
+    const Rational square = dot(normal, normal);
+    const ExactVector3 foot =
+        tail.point + (dot(cross(between, head.direction), normal) / square) * tail.direction;
+    const ExactVector3 other =
+        head.point + (dot(cross(between, tail.direction), normal) / square) * head.direction;
+    const double share = was.tailPitchRadius() / (was.tailPitchRadius() + was.headPitchRadius());
+    return foot + Rational::fromDouble(share) * (other - foot);
+  }
+
   /// Axes that coincide after the edit share a class, so a class of before is found by its axis. Only where
   /// the program places it, the edited document has to be placed.
   [[nodiscard]] ExactLine lineNow(int classBefore) {

@@ -25,8 +25,8 @@ struct SnapSide {
 std::array<SnapSide, 2> sidesOf(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
   const MeshGeometry& geometry = *placement.meshes[mesh];
   const GearMesh& element = mechanism.gearMeshes[mesh];
-  return {SnapSide{geometry.tail, geometry.tailClass, element.tailTeeth, std::abs(geometry.tailRadius)},
-          SnapSide{geometry.head, geometry.headClass, element.headTeeth, std::abs(geometry.headRadius)}};
+  return {SnapSide{geometry.tail, geometry.tailClass, element.tailTeeth, geometry.tailPitchRadius()},
+          SnapSide{geometry.head, geometry.headClass, element.headTeeth, geometry.headPitchRadius()}};
 }
 
 bool hasDistance(const Placement& placement, MeshOrdinal mesh) {

@@ -59,7 +59,13 @@ std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& plac
   if (!geometry) return std::nullopt;
   const GearMesh& element = mechanism.gearMeshes[mesh];
   if (element.module) return element.module->value();
-  return 2 * std::abs(geometry->tailRadius) / element.tailTeeth * std::cos(geometry->tailHelix);
+  if (pairKind(geometry->kind).isThreaded) {  // axial, which is the transverse one of the wheel
+    const bool isTailWheel = element.tailTeeth > element.headTeeth;
+    return 2 * (isTailWheel ? geometry->tailPitchRadius() : geometry->headPitchRadius()) /
+           std::max(element.tailTeeth, element.headTeeth);
+  }
+  const double share = hasSkewAxes(geometry->kind) ? 1 : std::cos(geometry->tailHelix);
+  return 2 * std::abs(geometry->tailRadius) / element.tailTeeth * share;
 }
 
 Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh, const Rational& module) {
@@ -84,6 +90,11 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
   for (const int each : along) {
     std::optional<Number>& stated = edited.gearMeshes[each].module;
     if (stated) stated = Number(factor * stated->exact());
+  }
+  if (hasSkewAxes(geometryOf(placement, position).kind)) {
+    edited.gearMeshes[position].module = Number(module);
+    edited.gearMeshes[position].pitchPoint.reset();
+    return unlessBroken(before, std::move(edited));
   }
   if (!hasParallelAxes(geometryOf(placement, position).kind)) {
     for (const int each : along)

@@ -17,7 +17,7 @@ std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& 
     for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
       if (isReached[mesh]) continue;
       const MeshGeometry& geometry = *placement.meshes[mesh];
-      if (!touches(geometry.kind)) {  // its pulleys have a size of their own
+      if (!touches(geometry.kind) || hasSkewAxes(geometry.kind)) {  // its wheels have sizes of their own
         isReached[mesh] = starts(mesh);
         continue;
       }

@@ -49,7 +49,7 @@ bool WheelMap::isSame(const Mechanism& mechanism, const Placement& placement, in
   if (classOfEnd(placement, end) != classOfEnd(placement, other)) return false;
   const MeshGeometry& geometry = geometryOf(placement, end);
   if (touches(geometry.kind) != touches(geometryOf(placement, other).kind)) return false;
-  if (hasParallelAxes(geometry.kind) != hasParallelAxes(geometryOf(placement, other).kind)) return false;
+  if (pairKind(geometry.kind).axes != pairKind(geometryOf(placement, other).kind).axes) return false;
   const double size = std::abs(geometry.tailRadius) + std::abs(geometry.headRadius);
   return std::abs(levelOf(placement, end) - levelOf(placement, other)) <= kGeometryFits * size;
 }

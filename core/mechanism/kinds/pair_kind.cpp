@@ -96,6 +96,29 @@ constexpr PairKind kPins{.name = "pins",
                          .other = std::nullopt,
                          .since = 2};
 
+constexpr PairKind kCrossedHelical{.name = "crossedHelical",
+                                   .word = toTranslate("crossed helical"),
+                                   .makeIt = toTranslate("Make %1 crossed helical"),
+                                   .axes = LinePosition::skew,
+                                   .sense = 0,
+                                   .distance = sumOf,
+                                   .distanceForm = sumForm,
+                                   .secondCentral = noSecond,
+                                   .other = MeshKind::worm,
+                                   .since = 2};
+
+constexpr PairKind kWorm{.name = "worm",
+                         .word = toTranslate("worm"),
+                         .makeIt = toTranslate("Make %1 a worm"),
+                         .axes = LinePosition::skew,
+                         .sense = 0,
+                         .isThreaded = true,
+                         .distance = sumOf,
+                         .distanceForm = sumForm,
+                         .secondCentral = noSecond,
+                         .other = MeshKind::crossedHelical,
+                         .since = 2};
+
 template <class Fits>
 MeshKind firstKind(const Fits& fits) {
   const auto all = meshKinds();
@@ -108,7 +131,8 @@ MeshKind firstKind(const Fits& fits) {
 }  // namespace
 
 KindTable<MeshKind, PairKind>& pairKinds() {
-  static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel, &kBelt, &kPins);
+  static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel, &kBelt, &kPins,
+                                                       &kCrossedHelical, &kWorm);
   return table;
 }
 
@@ -151,6 +175,10 @@ bool hasParallelAxes(MeshKind kind) {
 
 bool hasIntersectingAxes(MeshKind kind) {
   return pairKind(kind).axes == LinePosition::intersecting;
+}
+
+bool hasSkewAxes(MeshKind kind) {
+  return pairKind(kind).axes == LinePosition::skew;
 }
 
 bool isBesideEachOther(MeshKind kind) {

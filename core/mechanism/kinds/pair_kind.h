@@ -18,12 +18,14 @@ enum class MeshKind : std::uint8_t {
   bevel,
   belt,
   pins,
+  crossedHelical,
+  worm,
 };
 
 }  // namespace geargraph
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 5;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 7;
 
 namespace geargraph {
 
@@ -43,6 +45,9 @@ struct SecondCentral {
   int teeth = 0;
 };
 
+/// The most starts of a worm.
+constexpr int kMaxStarts = 8;
+
 /// What every layer may know of a kind of gear pair.
 struct PairKind {
   std::string_view name;                       ///< the word in documents and in what programs read
@@ -56,8 +61,9 @@ struct PairKind {
   /// Its wheels touch in a pitch point, which with the axes makes their radii. False: their sense does not
   /// depend on where the axes are, and their distance is free (belts, pins).
   bool touches = true;
-  bool hasTeeth = true;   ///< false: it turns 1 : 1, and documents leave its teeth out
-  bool canCross = false;  ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
+  bool hasTeeth = true;     ///< false: it turns 1 : 1, and documents leave its teeth out
+  bool canCross = false;    ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
+  bool isThreaded = false;  ///< the wheel with fewer teeth is a worm: they are its starts, at most kMaxStarts
   /// The centre distance of pitch radii. Unused where axes intersect.
   double (*distance)(double tailRadius, double headRadius) = nullptr;
   /// The same for teeth of one wheel, by those of its partner; `isLarger`: it has more teeth.
@@ -93,6 +99,8 @@ constexpr MeshKind kUsualKind = MeshKind::external;
 /// On parallel axes that its wheels hold apart.
 [[nodiscard]] bool hasParallelAxes(MeshKind kind);
 [[nodiscard]] bool hasIntersectingAxes(MeshKind kind);
+/// On axes that cross without meeting.
+[[nodiscard]] bool hasSkewAxes(MeshKind kind);
 /// On parallel axes, without a ring.
 [[nodiscard]] bool isBesideEachOther(MeshKind kind);
 [[nodiscard]] bool hasRing(MeshKind kind);

@@ -340,6 +340,10 @@ Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional
     found->pitchPoint.reset();
     found->friction.reset();
   }
+  if (hasSkewAxes(saidKind(*found))) {
+    found->herringbone = false;
+    if (now.isThreaded) found->helixAngle.reset();
+  }
   settleWeights(*found);
   if (hadNoTeeth && statesTeeth(*found)) {  // 1 : 1 are no teeth
     const GearMesh usual;
@@ -349,6 +353,39 @@ Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional
       found->headTeeth *= times;
     }
   }
+  return mechanism;
+}
+
+Expected<Mechanism> withHelixAngle(Mechanism mechanism, MeshId mesh, std::optional<Number> degrees) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  if (degrees && (degrees->exact().sign() < 0 || degrees->exact() >= Rational(90))) {
+    return rejection(Code::schema, translated("The helix angle of a gear mesh is at least 0 and below 90 degrees."),
+                     {mesh});
+  }
+  found->helixAngle = degrees && degrees->isZero() ? std::nullopt : std::move(degrees);
+  return mechanism;
+}
+
+Expected<Mechanism> withHand(Mechanism mechanism, MeshId mesh, std::optional<Hand> hand) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  found->hand = hand;
+  return mechanism;
+}
+
+Expected<Mechanism> withHerringbone(Mechanism mechanism, MeshId mesh, bool herringbone) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  found->herringbone = herringbone;
+  return mechanism;
+}
+
+Expected<Mechanism> withCrossed(Mechanism mechanism, MeshId mesh, bool crossed) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  GEARGRAPH_REQUIRE(!crossed || pairKind(saidKind(*found)).canCross);
+  found->crossed = crossed;
   return mechanism;
 }
 

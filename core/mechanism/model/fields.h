@@ -285,9 +285,10 @@ struct Description<GearMesh> {
       field(&GearMesh::helixAngle,
             {.name = "helixAngle",
              .value = MemberValue::number,
-             .meaning = "of the teeth of the first gear at its reference cylinder; not of a bevel pair. The "
-                        "ratio does not depend on it",
-             .fallback = "straight teeth",
+             .meaning =
+                 "of the teeth of the first gear at its reference cylinder; not of a bevel pair or a worm. "
+                 "The ratio does not depend on it",
+             .fallback = "straight teeth; of `crossedHelical` the same angle on both gears",
              .measure = Measure::angle,
              .range = NumberRange::acuteAngle,
              .since = 2}),
@@ -295,8 +296,9 @@ struct Description<GearMesh> {
             {.name = "hand",
              .value = MemberValue::hand,
              .meaning = "of the helix of the first gear. That of the second follows: the opposite one of an "
-                        "external pair, the same of an internal one",
-             .fallback = "`right`",
+                        "external pair, the same of an internal one and of a worm, and of "
+                        "`crossedHelical` that which the crossing angle leaves",
+             .fallback = "`right`; of `crossedHelical` without helix angle that which fits",
              .since = 2}),
       field(&GearMesh::herringbone,
             {.name = "herringbone",
@@ -308,8 +310,9 @@ struct Description<GearMesh> {
       field(&GearMesh::module,
             {.name = "module",
              .value = MemberValue::number,
-             .meaning = "the normal module; with the centre distance it fixes the sum of the profile shifts. "
-                        "Of a bevel pair without `pitchPoint`: at the large end",
+             .meaning =
+                 "the normal module; with the centre distance it fixes the sum of the profile shifts. "
+                 "Of a bevel pair without `pitchPoint`: at the large end; of a worm: in its axial section",
              .fallback = "follows from the centre distance",
              .measure = Measure::length,
              .range = NumberRange::positive,

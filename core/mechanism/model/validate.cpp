@@ -149,6 +149,7 @@ class WellFormedCheck {
       wheelOf(mesh, mesh.tailWheel, mesh.tail, at + "/tailWheel");
       wheelOf(mesh, mesh.headWheel, mesh.head, at + "/headWheel");
       checkStrand(mesh, at);
+      checkCrossing(mesh, at);
       if (mesh.faceWidth && mesh.faceWidth->value() <= 0) {  // 1e-999 is 0 for all who reckon with it
         add(Code::schema, translated("The face width of a gear mesh is above 0."), {mesh.id},
             at + "/faceWidth");
@@ -179,6 +180,26 @@ class WellFormedCheck {
         translated("A gear has 1 to 100,000 teeth; mesh \"%1\" says %2.",
                    {mesh.id.text(), std::to_string(count)}),
         {mesh.id}, pointer);
+  }
+
+  /// Helices of pairs on skew axes.
+  void checkCrossing(const GearMesh& mesh, const std::string& at) {
+    if (!hasSkewAxes(saidKind(mesh))) return;
+    if (mesh.herringbone) {
+      add(Code::schema,
+          translated(
+              "Teeth that cross at an angle are no herringbone teeth; mesh \"%1\" says so: leave it out.",
+              {mesh.id.text()}),
+          {mesh.id}, at + "/herringbone");
+    }
+    if (pairKind(saidKind(mesh)).isThreaded && mesh.helixAngle) {
+      add(Code::schema,
+          translated("The helix of worm \"%1\" follows from its starts, the module and the distance of the "
+                     "axes: leave "
+                     "the helix angle out.",
+                     {mesh.id.text()}),
+          {mesh.id}, at + "/helixAngle");
+    }
   }
 
   /// The members that only some kinds have.

@@ -9,6 +9,7 @@
 
 #include "core/mechanism/placement/bevel_arranger.h"
 #include "core/mechanism/placement/mesh_geometry.h"
+#include "core/mechanism/placement/pair_rule.h"
 #include "core/mechanism/placement/tolerance.h"
 
 namespace geargraph {
@@ -205,6 +206,11 @@ class AxisPlacer {
     const PlacedLine& from = *m_lines[axis];
     const Axis& element = m_mechanism.axes[partner.axis];
     const ExactVector3 outward = spoke(from.exact.direction, index, count);
+    const GearMesh& drawn = mesh(partner.mesh);
+    if (hasSkewAxes(saidKind(drawn))) {
+      placeCrossed(axis, partner.axis, outward, pairRule(saidKind(drawn)).crossedDistance(drawn, m_module));
+      return;
+    }
     const bool bevel = element.direction ? !isParallel(from.exact.direction, toFractions(*element.direction))
                                          : hasIntersectingAxes(saidKind(mesh(partner.mesh)));
     ExactVector3 point;
@@ -225,6 +231,18 @@ class AxisPlacer {
     if (element.point) point = toFractions(*element.point);
     if (element.direction) direction = toFractions(*element.direction);
     setLine(partner.axis, lineOf(point, direction, true));
+  }
+
+  /// Axis `placed` across the axis `by`, at a distance along `outward`.
+  void placeCrossed(AxisOrdinal by, AxisOrdinal placed, const ExactVector3& outward,
+                    const Rational& distance) {
+    const PlacedLine& from = *m_lines[by];
+    const Axis& element = m_mechanism.axes[placed];
+    const ExactVector3 direction =
+        element.direction ? toFractions(*element.direction) : cross(from.exact.direction, outward);
+    const ExactVector3 point =
+        element.point ? toFractions(*element.point) : from.exact.point + scaledTo(outward, distance);
+    setLine(placed, lineOf(point, direction, true));
   }
 
   static bool isParallel(const ExactVector3& a, const ExactVector3& b) {

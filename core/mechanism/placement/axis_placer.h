@@ -33,7 +33,8 @@ struct PlacedAxes {
 /// 3. An axis of a bevel mesh intersects its neighbour at right angles (along y for a neighbour along z or x,
 ///    along z for one along y), where the wheels do not interfere (bevel_arranger.h); several on one carrier
 ///    are spread around the same apex.
-/// 4. Axes that no mesh connects to these start a new group beside them, along z.
+/// 4. An axis of a pair for skew axes crosses its neighbour at right angles, at the distance of the teeth.
+/// 5. Axes that no mesh connects to these start a new group beside them, along z.
 ///
 /// `given`: givenLines(), which marks the open axes. `words`: by mesh, none for a mesh without a carrier;
 /// empty without a tree.

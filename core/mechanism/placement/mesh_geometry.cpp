@@ -198,7 +198,19 @@ std::optional<Diagnostic> checkHelix(const Mechanism& mechanism, MeshOrdinal mes
   return moduleAgainstDistance(mechanism, mesh, distance, share * module, distance / share);
 }
 
+double pitchRadiusOf(MeshKind kind, double moment, double helix) {
+  return std::abs(moment) / (hasSkewAxes(kind) ? std::cos(helix) : 1);
+}
+
 }  // namespace
+
+double MeshGeometry::tailPitchRadius() const {
+  return pitchRadiusOf(kind, tailRadius, tailHelix);
+}
+
+double MeshGeometry::headPitchRadius() const {
+  return pitchRadiusOf(kind, headRadius, headHelix);
+}
 
 Vector3 orientedNormal(const Vector3& direction) {
   for (const double component : direction) {
@@ -219,7 +231,7 @@ Diagnostic skewAxes(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair
   return makeDiagnostic(
       mechanism, mesh, Detail::skewAxes,
       translated("its axes are skew, %1 apart: there is no point where the gears could roll. What "
-                 "fits: axes that are parallel or meet.",
+                 "fits: axes that are parallel or meet, or the kind worm or crossed helical.",
                  {text(axisDistance(pair))}));
 }
 

@@ -39,9 +39,14 @@ struct MeshGeometry {
   double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
   /// Helix angles at the reference cylinders, rad, positive for right-hand helices; 0: straight teeth. No
-  /// radius, sign or coefficient of parallel axes depends on them.
+  /// radius, sign or coefficient of parallel axes depends on them. On skew axes they make e_c, the tooth
+  /// normal in the plane that touches both cylinders (crossing.h), so that tailRadius is r cos(beta) there.
   double tailHelix = 0;
   double headHelix = 0;
+
+  /// How far the pitch point is from the axes of the gears.
+  [[nodiscard]] double tailPitchRadius() const;
+  [[nodiscard]] double headPitchRadius() const;
 };
 
 /// The unit vector or its opposite: the one whose first component that is not 0 is positive.

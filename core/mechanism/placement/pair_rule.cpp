@@ -1,5 +1,7 @@
 #include "core/mechanism/placement/pair_rule.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace geargraph {
@@ -42,6 +44,22 @@ std::pair<double, double> pinRadii(const GearMesh& /*mesh*/, double distance) {
   return {kDistances * distance, kDistances * distance};
 }
 
+/// Of equal helix angles: transverse modules of the train's size. A stated module and helix angle make their
+/// own.
+Rational crossedHelicalDistance(const GearMesh& mesh, const Rational& module) {
+  if (!mesh.module && !mesh.helixAngle) return module * Rational(mesh.tailTeeth + mesh.headTeeth, 2);
+  const double helix = mesh.helixAngle ? std::abs(helixOf(mesh)) : std::numbers::pi / 4;
+  const double normal = mesh.module ? mesh.module->value() : module.toDouble() * std::cos(helix);
+  return Rational::fromDouble(normal / 2 *
+                              (mesh.tailTeeth / std::cos(helix) + mesh.headTeeth / std::sin(helix)));
+}
+
+/// With the usual worm of ten modules.
+Rational wormDistance(const GearMesh& mesh, const Rational& module) {
+  const Rational axial = mesh.module ? mesh.module->exact() : module;
+  return axial * Rational(10 + std::max(mesh.tailTeeth, mesh.headTeeth), 2);
+}
+
 }  // namespace
 
 constexpr PairRule kExternalRule{pointBetweenParallels<false, double>, exactPointBetweenParallels<false>};
@@ -49,10 +67,13 @@ constexpr PairRule kInternalRule{pointBetweenParallels<true, double>, exactPoint
 constexpr PairRule kBevelRule{bevelPoint, exactBevelPoint};
 constexpr PairRule kBeltRule{.radii = runningRadii};
 constexpr PairRule kPinsRule{.radii = pinRadii};
+constexpr PairRule kCrossedHelicalRule{.crossed = crossedHelicalWheels,
+                                       .crossedDistance = crossedHelicalDistance};
+constexpr PairRule kWormRule{.crossed = wormWheels, .crossedDistance = wormDistance};
 
 KindTable<MeshKind, PairRule>& pairRules() {
-  static constinit KindTable<MeshKind, PairRule> table(&kExternalRule, &kInternalRule, &kBevelRule,
-                                                       &kBeltRule, &kPinsRule);
+  static constinit KindTable<MeshKind, PairRule> table(
+      &kExternalRule, &kInternalRule, &kBevelRule, &kBeltRule, &kPinsRule, &kCrossedHelicalRule, &kWormRule);
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include "core/foundations/base/triple.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/crossing.h"
 #include "core/mechanism/placement/pitch_point.h"
 
 namespace geargraph {
@@ -30,6 +31,11 @@ struct PairRule {
   /// Of wheels that do not touch, instead of a pitch point: how far the line of action passes from the axes
   /// of tail and head, which are `distance` apart. Their ratio is that of the weights.
   std::pair<double, double> (*radii)(const GearMesh& mesh, double distance) = nullptr;
+  /// On skew axes, instead of a pitch point: the wheels that the distance and the crossing angle leave.
+  CrossedRule crossed = nullptr;
+  /// On skew axes: how far apart they are put where the document leaves that open, crossing at right angles.
+  /// `module`: of the train.
+  Rational (*crossedDistance)(const GearMesh& mesh, const Rational& module) = nullptr;
 };
 
 [[nodiscard]] KindTable<MeshKind, PairRule>& pairRules();
@@ -41,5 +47,7 @@ extern const PairRule kInternalRule;
 extern const PairRule kBevelRule;
 extern const PairRule kBeltRule;
 extern const PairRule kPinsRule;
+extern const PairRule kCrossedHelicalRule;
+extern const PairRule kWormRule;
 
 }  // namespace geargraph

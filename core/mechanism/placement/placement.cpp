@@ -5,6 +5,7 @@
 
 #include "core/mechanism/placement/axis_placer.h"
 #include "core/mechanism/placement/bevel_arranger.h"
+#include "core/mechanism/placement/crossing.h"
 #include "core/mechanism/placement/pair_rule.h"
 #include "core/mechanism/placement/strand.h"
 #include "core/mechanism/placement/tolerance.h"
@@ -101,6 +102,11 @@ class MeshLocator {
                        m_placement.diagnostics))
         return false;
       geometry.pitchPoint = tail.point + geometry.tailToPitch;
+      return true;
+    }
+    if (hasSkewAxes(saidKind(element))) {
+      if (!placeCrossing(m_mechanism, mesh, pair, position, geometry, m_placement.diagnostics)) return false;
+      if (geometry.derived) geometry.pitchPoint = tail.point + geometry.tailToPitch;
       return true;
     }
     if (position == LinePosition::skew) return reject(skewAxes(m_mechanism, mesh, pair));
@@ -230,6 +236,7 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
   if (!geometry.derived) {
     return toFractions(*mechanism.gearMeshes[mesh].pitchPoint);
   }
+  if (hasSkewAxes(geometry.kind)) return std::nullopt;
   const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
   const ExactLine head = exactLineOfClass(mechanism, placement, geometry.headClass);
   const GearMesh& element = mechanism.gearMeshes[mesh];

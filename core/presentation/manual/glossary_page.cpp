@@ -146,6 +146,8 @@ std::string_view pictureOf(Term term) {
     case Term::gearRatio:
     case Term::pitchPoint:
       return "schematic/spur-pair/mesh.5";
+    case Term::helixAngle:
+      return "schematic/helical-reverted-train/mesh.7";
     case Term::meshKind:
       return "schematic/planetary-ring-held/mesh.8";
     case Term::cycle:

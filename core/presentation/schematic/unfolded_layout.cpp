@@ -143,6 +143,15 @@ class Unfolder {
     });
   }
 
+  /// Do wheels on these two skew axes mesh?
+  [[nodiscard]] bool crossMesh(int c, int d) const {
+    return std::any_of(m_train.pairs.begin(), m_train.pairs.end(), [&](const TrainPair& pair) {
+      const int a = m_train.wheels[pair.tail].axisGroup;
+      const int b = m_train.wheels[pair.head].axisGroup;
+      return hasSkewAxes(pair.kind) && ((a == c && b == d) || (a == d && b == c));
+    });
+  }
+
   void spread(std::deque<int> queue, bool meshing) {
     for (std::size_t c = 0; c < m_placed.size(); ++c) {
       if (m_placed[c]) queue.push_back(static_cast<int>(c));
@@ -166,6 +175,8 @@ class Unfolder {
     on.turned = by.turned;
     if (length(cross(on.direction, by.direction)) < kSameLine) {
       layBeside(by, on);
+    } else if (crossMesh(from, axis)) {
+      layTurned(by, on);
     } else {
       layAcross(by, on);
     }
@@ -189,6 +200,24 @@ class Unfolder {
     on.along = way * by.along;
     on.up = way * by.up;
     on.upInSpace = way * sense * side;
+  }
+
+  /// An axis of a crossed pair, turned about the common perpendicular until it lies beside its neighbour: the
+  /// two wheels are seen as they touch.
+  void layTurned(const SheetAxis& by, SheetAxis& on) const {
+    const Vector3 normal = cross(by.direction, on.direction);
+    const double square = dot(normal, normal);
+    const Vector3 apart = on.base - by.base;
+    const double atBy = dot(cross(apart, on.direction), normal) / square;
+    const double atOn = dot(cross(apart, by.direction), normal) / square;
+    const double away = dot(apart, normal) / std::sqrt(square);
+    const Vector3 side = (away < 0 ? -1 / std::sqrt(square) : 1 / std::sqrt(square)) * normal;
+    const double sense = sideOf(by, side, on);
+    on.turned = true;
+    on.along = by.along;
+    on.up = by.up;
+    on.upInSpace = sense * side;
+    on.origin = by.at(atBy, sense * std::abs(away)) - atOn * on.along;
   }
 
   void layAcross(const SheetAxis& by, SheetAxis& on) const {

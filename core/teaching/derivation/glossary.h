@@ -38,6 +38,7 @@ enum class Term {
   teeth,
   module,
   meshKind,
+  helixAngle,
   pitchPoint,
   gearRatio,
   spanningTree,

@@ -61,11 +61,25 @@ constexpr PairTeaching kPinsTeaching{
     .sameWay = kPinsFactor,
     .againstEachOther = kPinsFactor};
 
+constexpr PairTeaching kCrossedTeaching{
+    .signMistake = "crossed-sign",
+    .signInRow =
+        toTranslate("The sign of mesh %1 follows from the hands of its teeth and the way its axes cross."),
+    .signInTable =
+        toTranslate("The sign of mesh %1 follows from the hands of its teeth and the way its axes cross."),
+    .sameWay = toTranslate(
+        "Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its own axis, "
+        "let both turn the same way, so that f is %2."),
+    .againstEachOther =
+        toTranslate("Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its "
+                    "own axis, let them turn against each other, so that f is %2.")};
+
 }  // namespace
 
 KindTable<MeshKind, PairTeaching>& pairTeachings() {
   static constinit KindTable<MeshKind, PairTeaching> table(&kExternalTeaching, &kInternalTeaching,
-                                                           &kBevelTeaching, &kBeltTeaching, &kPinsTeaching);
+                                                           &kBevelTeaching, &kBeltTeaching, &kPinsTeaching,
+                                                           &kCrossedTeaching, &kCrossedTeaching);
   return table;
 }
 

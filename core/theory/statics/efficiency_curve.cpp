@@ -166,11 +166,11 @@ std::optional<EfficiencyCurve> efficiencyCurve(const Mechanism& mechanism, const
     std::vector<std::optional<MeshContact>> contacts;
     if (hasFriction(mechanism)) contacts = meshContacts(mechanism, placement, stop);
     if (stop.stop_requested()) return std::nullopt;
-    efficiencies = efficienciesOf(mechanism, contacts, options.efficiency);
+    efficiencies = efficienciesOf(mechanism, placement, contacts, options.efficiency);
   }
   for (const Rational& at : placesOn(range)) {
     if (axis == CurveAxis::meshEfficiency)
-      std::fill(efficiencies.begin(), efficiencies.end(), MeshEfficiency{at, true, true});
+      std::fill(efficiencies.begin(), efficiencies.end(), MeshEfficiency{at, {}, true, true});
     auto point = follower.pointAt(at, inputs ? inputs->at(at) : *report.motion, efficiencies, curve.held);
     if (!point) return std::nullopt;
     curve.points.push_back(std::move(*point));

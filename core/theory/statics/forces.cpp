@@ -37,6 +37,22 @@ void pullAlongStrand(const Placement& placement, const MeshGeometry& mesh, Tooth
   force.point = mesh.pitchPoint - 2 * dot(mesh.tailToPitch, side) * side;
 }
 
+/// Gears on skew axes: across the teeth, which e_c is in the plane that touches both cylinders, and apart
+/// along the common perpendicular. Told in the tail gear's directions. `force.tangential` is that along e_c.
+void pushAcross(const Placement& placement, const MeshGeometry& mesh, double pressureAngle,
+                ToothForce& force) {
+  const Vector3& axis = placement.lineOfClass(mesh.tailClass).direction;
+  const Vector3 between = unit(cross(axis, placement.lineOfClass(mesh.headClass).direction));
+  const Vector3 inPlane = force.tangential * mesh.normal;
+  force.separating = std::abs(force.tangential) * std::tan(pressureAngle);
+  force.direction = dot(between, mesh.tailToHead) < 0 ? -1.0 * between : between;
+  force.force = inPlane + force.separating * force.direction;
+  const double along = dot(inPlane, axis);
+  force.axial = std::abs(along);
+  force.axialDirection = (along < 0 ? -1.0 : 1.0) * axis;
+  force.tangential *= std::cos(mesh.tailHelix);
+}
+
 /// Without the components that are no more than the rounding of the sums they come from: -2e-15 N m beside 5.
 Vector3 withoutRounding(Vector3 vector) {
   constexpr double kRounding = 1e-13;
@@ -229,6 +245,10 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
     force.point = geometry.pitchPoint;
     if (!touches(geometry.kind)) {
       pullAlongStrand(placement, geometry, force);
+      continue;
+    }
+    if (hasSkewAxes(geometry.kind)) {
+      pushAcross(placement, geometry, pressureAngles[at], force);
       continue;
     }
     force.separating = std::abs(force.tangential) * std::tan(pressureAngles[at]);

@@ -36,6 +36,10 @@ struct ToothForce {
 /// a_c is along the axes, such that the force stands across helical teeth: a right-hand gear that drives is
 /// pushed the way of its angular velocity. It does no work.
 ///
+/// Gears on skew axes: F_c e_c + |F_c| tan(alpha_n) N with e_c across the teeth and N the common
+/// perpendicular; its parts are told as the tail's gear bears them: tangential F_c cos(beta_i), axial F_c
+/// sin(beta_i).
+///
 /// Wheels that do not touch have no separating force. Of a belt that can only pull the strand on the other
 /// side of the line of centres takes what would push: the tight strand alone, without pretension, F = M / r.
 ///

@@ -20,7 +20,8 @@ struct LossPath {
 
   [[nodiscard]] std::vector<MeshEfficiency> at(const Rational& place) const {
     std::vector<MeshEfficiency> efficiencies;
-    for (const Rational& loss : losses) efficiencies.push_back({Rational(1) - place * loss, true, isExact});
+    for (const Rational& loss : losses)
+      efficiencies.push_back({Rational(1) - place * loss, {}, true, isExact});
     return efficiencies;
   }
   /// The value that is told: an efficiency, or a factor of the stated losses.
@@ -166,7 +167,7 @@ std::optional<LockingLimits> lockingLimits(const Mechanism& mechanism, const Kin
   std::vector<std::optional<MeshContact>> contacts;
   if (hasFriction(mechanism)) contacts = meshContacts(mechanism, placement, stop);
   if (stop.stop_requested()) return std::nullopt;
-  const LossPath path = pathOf(efficienciesOf(mechanism, contacts, options.efficiency),
+  const LossPath path = pathOf(efficienciesOf(mechanism, placement, contacts, options.efficiency),
                                powersOf(model, report.lossless, *report.motion).rolls);
   std::optional<CoefficientMatrix> matrix;
   if (report.isShared) matrix.emplace(mechanism, model, placement);

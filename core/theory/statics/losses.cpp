@@ -1,7 +1,10 @@
 #include "core/theory/statics/losses.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+
+#include "core/mechanism/placement/crossing.h"
 
 namespace geargraph {
 namespace {
@@ -39,7 +42,7 @@ class LossSolver {
 
  private:
   [[nodiscard]] bool canLose(std::size_t mesh) const {
-    return m_powers.rolls[mesh] != 0 && m_efficiencies[mesh].value != Rational(1);
+    return m_powers.rolls[mesh] != 0 && m_efficiencies[mesh].loses();
   }
 
   /// Is the load of every mesh that can lose power known?
@@ -65,7 +68,11 @@ class LossSolver {
   std::optional<Pattern> attempt(const Pattern& pattern) {
     std::vector<MeshLoss> losses(pattern.size());
     for (std::size_t mesh = 0; mesh < pattern.size(); ++mesh)
-      losses[mesh] = {pattern[mesh], m_efficiencies[mesh].value};
+      losses[mesh] = {pattern[mesh], m_efficiencies[mesh].of(pattern[mesh])};
+    const bool isStuck = std::any_of(losses.begin(), losses.end(), [](const MeshLoss& loss) {
+      return loss.driver != MeshLoss::Driver::none && loss.efficiency.sign() <= 0;
+    });
+    if (isStuck) return std::nullopt;
     auto solution = solveStatics(m_model, m_lossless.held, m_loads, losses, m_stop);
     if (!solution || !solution->isBalanced()) return std::nullopt;
     if (m_stiffness != nullptr && !shareByStiffness(m_model, *m_stiffness, *solution, m_stop))
@@ -127,6 +134,45 @@ class LossSolver {
   LossySolution m_result;
 };
 
+/// tan(beta) of both gears of a pair on skew axes, counted so that their sum is above 0.
+struct HelixTangents {
+  Rational tail;
+  Rational head;
+  bool isExact = true;
+};
+
+HelixTangents helixTangents(const Mechanism& mechanism, const Placement& placement, MeshOrdinal mesh) {
+  const MeshGeometry& geometry = *placement.meshes[mesh];
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
+  const ExactLine head = exactLineOfClass(mechanism, placement, geometry.headClass);
+  if (const auto lead = exactLeadTangent(element, tail.point, tail.direction, head.point, head.direction)) {
+    const bool isTailWorm = element.tailTeeth < element.headTeeth;
+    return {isTailWorm ? lead->inverse() : *lead, isTailWorm ? *lead : lead->inverse(), true};
+  }
+  const double tailTangent = std::tan(geometry.tailHelix), headTangent = std::tan(geometry.headHelix);
+  const double sign = tailTangent + headTangent < 0 ? -1 : 1;
+  return {Rational::fromDouble(sign * tailTangent), Rational::fromDouble(sign * headTangent), false};
+}
+
+/// mu' of a stated efficiency.
+Rational frictionOf(const HelixTangents& tangents, const Rational& stated) {
+  const bool tailIsSteeper = tangents.head < tangents.tail;
+  const Rational& steep = tailIsSteeper ? tangents.tail : tangents.head;
+  const Rational& flat = tailIsSteeper ? tangents.head : tangents.tail;
+  return (Rational(1) - stated) / (flat + stated * steep);
+}
+
+/// Both efficiencies of a pair that slides along its teeth.
+void slide(const HelixTangents& tangents, const Rational& friction, MeshEfficiency& efficiency) {
+  const auto passed = [&](const Rational& driver, const Rational& driven) {
+    return (Rational(1) - friction * driven) / (Rational(1) + friction * driver);
+  };
+  efficiency.value = passed(tangents.tail, tangents.head);
+  efficiency.backward = passed(tangents.head, tangents.tail);
+  efficiency.isExact = efficiency.isExact && tangents.isExact;
+}
+
 }  // namespace
 
 bool hasFriction(const Mechanism& mechanism) {
@@ -135,7 +181,7 @@ bool hasFriction(const Mechanism& mechanism) {
                      [](const GearMesh& mesh) { return mesh.friction.has_value(); });
 }
 
-std::vector<MeshEfficiency> efficienciesOf(const Mechanism& mechanism,
+std::vector<MeshEfficiency> efficienciesOf(const Mechanism& mechanism, const Placement& placement,
                                            std::span<const std::optional<MeshContact>> contacts,
                                            const std::optional<Rational>& otherwise) {
   std::vector<MeshEfficiency> efficiencies;
@@ -148,7 +194,19 @@ std::vector<MeshEfficiency> efficienciesOf(const Mechanism& mechanism,
     const auto& stated = own || !byDefault ? mesh.efficiency : defaults->efficiency;
     efficiency.isGiven = own || byDefault || otherwise.has_value();
     const auto& friction = own || !byDefault ? mesh.friction : defaults->friction;
-    if (stated) {
+    const auto& geometry = placement.meshes[i];
+    if (geometry && hasSkewAxes(geometry->kind)) {
+      const HelixTangents tangents = helixTangents(mechanism, placement, static_cast<int>(i));
+      if (stated) {
+        slide(tangents, frictionOf(tangents, stated->exact()), efficiency);
+      } else if (friction && contacts[i]) {
+        efficiency.isExact = false;
+        slide(tangents, Rational::fromDouble(friction->value() / std::cos(contacts[i]->pressureAngle)),
+              efficiency);
+      } else if (!own && !byDefault && otherwise) {
+        slide(tangents, frictionOf(tangents, *otherwise), efficiency);
+      }
+    } else if (stated) {
       efficiency.value = stated->exact();
     } else if (friction) {
       if (!contacts[i] || friction->isZero()) continue;
@@ -261,8 +319,11 @@ std::optional<double> selfLockingPart(const KinematicModel& model, const Statics
   std::vector<MeshEfficiency> part(efficiencies.begin(), efficiencies.end());
   for (int i = 0; i < kHalvings; ++i) {
     const Rational middle = (free + locked) / 2;
-    for (std::size_t mesh = 0; mesh < part.size(); ++mesh)
+    for (std::size_t mesh = 0; mesh < part.size(); ++mesh) {
       part[mesh].value = Rational(1) - middle * (Rational(1) - efficiencies[mesh].value);
+      if (part[mesh].backward)
+        part[mesh].backward = Rational(1) - middle * (Rational(1) - *efficiencies[mesh].backward);
+    }
     const auto solution = solveWithLosses(model, lossless, loads, motion, part, stiffness, stop);
     if (!solution) return std::nullopt;
     (solution->outcome == LossySolution::Outcome::solved ? free : locked) = middle;

@@ -12,17 +12,34 @@ namespace geargraph {
 
 /// The efficiency of one mesh, of the power that crosses it seen from its carrier.
 struct MeshEfficiency {
-  Rational value = 1;
+  Rational value = 1;  ///< where the tail's gear drives
+  /// Where the head's gear drives, if that differs: gears on skew axes. One that is not above 0 cannot drive.
+  std::optional<Rational> backward = {};
   bool isGiven = false;  ///< an efficiency or a friction is stated for it; else it is 1
-  bool isExact = true;   ///< false where it comes from friction
+  bool isExact = true;   ///< false where it comes from friction, or from angles that are not rational
+
+  [[nodiscard]] const Rational& of(MeshLoss::Driver driver) const {
+    return driver == MeshLoss::Driver::head && backward ? *backward : value;
+  }
+  [[nodiscard]] bool loses() const { return value != Rational(1) || (backward && *backward != Rational(1)); }
 };
 
 /// The efficiencies that the document states, by mesh: its own, else that of gearDefaults, else `otherwise`,
 /// else 1. From a coefficient of friction mu it is 1 - mu H_v (toothLossFactor()), and 1 for a mesh without
 /// contact. `contacts`: by mesh; needed where hasFriction().
+///
+/// Gears on skew axes slide along their teeth. With mu' = mu / cos(alpha_n), the helix angles counted so that
+/// tan(beta_1) + tan(beta_2) > 0, and gear 1 driving,
+///
+///     eta_12 = (1 - mu' tan(beta_2)) / (1 + mu' tan(beta_1)),
+///
+/// which is not eta_21: of a worm with lead angle g, eta = (1 - mu' tan g) / (1 + mu' cot g) forward and
+/// (1 - mu' cot g) / (1 + mu' tan g) backward, not above 0 (self-locking) where tan g <= mu'. A stated
+/// efficiency is that with the gear of the larger |tan(beta)| driving, the worm; it gives mu', and so the
+/// other direction.
 [[nodiscard]] std::vector<MeshEfficiency> efficienciesOf(
-    const Mechanism& mechanism, std::span<const std::optional<MeshContact>> contacts = {},
-    const std::optional<Rational>& otherwise = {});
+    const Mechanism& mechanism, const Placement& placement,
+    std::span<const std::optional<MeshContact>> contacts = {}, const std::optional<Rational>& otherwise = {});
 /// Does the document state a coefficient of friction for some mesh?
 [[nodiscard]] bool hasFriction(const Mechanism& mechanism);
 

@@ -203,7 +203,7 @@ class Analysis {
 
   void takeEfficiencies() {
     if (hasFriction(m_mechanism)) (void)contacts();
-    m_efficiencies = efficienciesOf(m_mechanism, m_contacts, m_options.efficiency);
+    m_efficiencies = efficienciesOf(m_mechanism, m_placement, m_contacts, m_options.efficiency);
   }
 
   bool solveLosses() {

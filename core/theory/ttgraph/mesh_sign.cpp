@@ -50,14 +50,24 @@ std::optional<int> signOfIntersecting(const MeshPose& pose, const AxisLine& tail
   return (tailShare > 0) == (headShare > 0) ? -1 : 1;
 }
 
+std::optional<int> signOfSkew(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  if (!pose.kind || !pose.helices) return std::nullopt;
+  const Vector3 across = cross(tail.direction, head.direction);
+  const double sine = dot(across, head.point - tail.point) < 0 ? -length(across) : length(across);
+  const double crossing = std::atan2(sine, dot(tail.direction, head.direction));
+  return terminalRules()[*pose.kind].acrossSkew(pose.helices->first + pose.helices->second + crossing);
+}
+
 }  // namespace
 
 std::optional<int> meshSign(const MeshPose& pose) {
   if (pose.tailAxis != nullptr && pose.headAxis != nullptr) {
+    if (pose.kind && hasSkewAxes(*pose.kind)) return signOfSkew(pose, *pose.tailAxis, *pose.headAxis);
     return areParallel(pose.tailAxis->direction, pose.headAxis->direction)
                ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
                : signOfIntersecting(pose, *pose.tailAxis, *pose.headAxis);
   }
+  if (pose.kind && hasSkewAxes(*pose.kind)) return std::nullopt;
   // Axes that nothing placed are parallel and point one way unless they carry bevel gears.
   return signOfKind(pose, 1);
 }

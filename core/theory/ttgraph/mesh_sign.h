@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "core/theory/ttgraph/reference_lines.h"
 
@@ -13,6 +14,8 @@ struct MeshPose {
   const AxisLine* headAxis = nullptr;
   const Vector3* pitchPoint = nullptr;
   std::optional<MeshKind> kind;
+  /// Of gears on skew axes: the helix angles of the tail's and the head's, rad, positive right-hand.
+  std::optional<std::pair<double, double>> helices;
 };
 
 /// The sign s of the terminal equation N_i w_ik = s N_j w_jk [AU, below Eq. (26)]: +1 if both gears turn the
@@ -26,7 +29,12 @@ struct MeshPose {
 /// two axes' directions. If both coefficients have the same sign (the pitch line is between the axes), the
 /// gears turn in opposite directions; else in the same.
 ///
-/// std::nullopt if the drawn pose does not determine it: a bevel pair without its pitch point, skew axes.
+/// Skew axes: with Sigma the angle from the tail's direction to the head's about the common perpendicular
+/// from tail to head, the teeth run the same way where they touch if beta_i + beta_j + Sigma is a whole
+/// number of half turns; an even one is -1, an odd one +1.
+///
+/// std::nullopt if the drawn pose does not determine it: a bevel pair without its pitch point, skew axes
+/// without helices.
 [[nodiscard]] std::optional<int> meshSign(const MeshPose& pose);
 
 }  // namespace geargraph

@@ -26,13 +26,14 @@ class ReferenceLines {
   struct MeshPlaces {
     Vector3 headPoint{};  ///< the point of the head's line
     Vector3 pitchPoint{};
+    std::pair<double, double> helices;  ///< of the tail's and the head's gear, rad
   };
   /// By position in Mechanism::gearMeshes; std::nullopt if the mesh is not placed.
   [[nodiscard]] std::optional<MeshPlaces> placesOf(int position) const {
     if (m_placement == nullptr) return std::nullopt;
     const auto& mesh = m_placement->meshes[position];
     if (!mesh) return std::nullopt;
-    return MeshPlaces{mesh->tailToHead, mesh->tailToPitch};
+    return MeshPlaces{mesh->tailToHead, mesh->tailToPitch, {mesh->tailHelix, mesh->headHelix}};
   }
 
  private:

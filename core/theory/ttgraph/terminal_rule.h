@@ -12,6 +12,9 @@ struct TerminalRule {
   /// For parallel axes; `sense`: +1 where they point the same way, else -1. std::nullopt: the pitch point
   /// decides.
   std::optional<int> (*alongParallels)(int sense) = nullptr;
+  /// For skew axes: from the sum beta_i + beta_j + Sigma of the helix angles and the crossing angle, a whole
+  /// number of half turns, because the teeth of both run the same way where they touch.
+  std::optional<int> (*acrossSkew)(double sum) = nullptr;
 };
 
 [[nodiscard]] KindTable<MeshKind, TerminalRule>& terminalRules();

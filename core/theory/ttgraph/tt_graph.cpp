@@ -16,7 +16,7 @@ std::optional<int> signFromPlaces(const MeshPose& pose,
   AxisLine head = *pose.headAxis;
   tail.point = {0, 0, 0};
   head.point = places->headPoint;
-  return meshSign({&tail, &head, &places->pitchPoint, pose.kind});
+  return meshSign({&tail, &head, &places->pitchPoint, pose.kind, places->helices});
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
       continue;
     }
     const GearMesh& pair = mechanism.gearMeshes[at];
-    const MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind};
+    const MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind, {}};
     std::optional<int> sign = pair.kind ? meshSign(pose) : std::nullopt;
     if (!sign) {  // the kind alone does not tell, so the place of the pitch point has to
       sign = signFromPlaces(pose, lines.placesOf(mesh));

@@ -28,7 +28,7 @@ struct RobotCoupling {
                                                  CouplingMatrix which) const {
     WrittenCoupling written;
     written.size = coupling.size();
-    std::vector<CouplingNumber> numbers;
+    std::vector<WrittenNumber> numbers;
     for (const Rational& each : matrix) numbers.push_back({each, 0, each.toString()});
     (which == CouplingMatrix::motorToJoint ? written.motorToJoint : written.jointToMotor) = numbers;
     return namesOf(written);
@@ -98,7 +98,7 @@ class TestJointCoupling : public QObject {
     WrittenCoupling written;
     written.size = 3;
     const auto numbers = [](const std::vector<Rational>& matrix) {
-      std::vector<CouplingNumber> all;
+      std::vector<WrittenNumber> all;
       for (const Rational& each : matrix) all.push_back({each, 0, each.toString()});
       return all;
     };

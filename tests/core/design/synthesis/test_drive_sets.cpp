@@ -1,0 +1,59 @@
+#include <QTest>
+
+#include "core/design/synthesis/drive_sets.h"
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/reverted_train.h"
+#include "tests/core/support/snapshot_of.h"
+
+using namespace geargraph;
+
+namespace {
+
+/// Speed of the output for one turn of the input, of a set that is in order and that both methods agree on.
+Rational driven(const Expected<Mechanism>& set) {
+  if (!set) throw std::runtime_error(set.error().front().message);
+  const SnapshotPtr snapshot = test::snapshotOf(*set);
+  if (hasErrors(snapshot->diagnostics)) throw std::runtime_error(snapshot->diagnostics.front().message);
+  if (!snapshot->solved->agreement || !snapshot->solved->agreement->equal)
+    throw std::runtime_error("the methods disagree");
+  return ratioOfSet(*set)->speed;
+}
+
+}  // namespace
+
+/// Drives have the ratios of their makers, with the sign, before they are inserted.
+class DriveSetsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void drivesHaveTheirRatios() {
+    const Rational worm = driven(wormStage({2, 31}));
+    QCOMPARE(worm.abs(), Rational(2, 31));
+    QCOMPARE(driven(wormStage({2, 31, Hand::left})), -worm);
+    QCOMPARE(driven(beltStage({20, 50, Number(5), false})), Rational(2, 5));
+    QCOMPARE(driven(beltStage({20, 50, Number(5), true})), Rational(-2, 5));
+    QCOMPARE(driven(strainWave(200, 202)), Rational(-1, 100));
+    QCOMPARE(driven(strainWave(68, 70)), Rational(-1, 34));
+    QCOMPARE(driven(cycloidalDrive(16)), Rational(-1, 15));
+    QCOMPARE(driven(rvReducer(12, 36, 40)), Rational(1, 121));
+    QCOMPARE(driven(rvReducer(16, 32, 40)), Rational(1, 81));
+  }
+
+  void othersToo() {
+    QCOMPARE(ratioOfSet(revertedTrain({20, 40, 20, 40}))->speed, Rational(1, 4));
+    QCOMPARE(int{ratioOfSet(revertedTrain({20, 40, 20, 40}))->input}, 1);
+    QVERIFY(!ratioOfSet(planetarySet({20, 20}, 1)));  // two inputs
+  }
+
+  void impossibleNumbersAreRejected() {
+    QCOMPARE(wormStage({9, 40}).error().front().detail, Detail::wormTeeth);
+    QCOMPARE(wormStage({5, 5}).error().front().detail, Detail::wormTeeth);
+    QCOMPARE(beltStage({20, 40, Number(0)}).error().front().detail, Detail::beltGeometry);
+    QVERIFY(!strainWave(202, 200));
+    QVERIFY(!cycloidalDrive(3));
+    QVERIFY(!rvReducer(12, 36, 2));
+  }
+};
+
+QTEST_GUILESS_MAIN(DriveSetsTest)
+#include "test_drive_sets.moc"
