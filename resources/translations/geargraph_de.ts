@@ -18981,6 +18981,114 @@ Radpaare / Steg: %3</translation>
         <source>Add freewheel</source>
         <translation>Freilauf hinzufügen</translation>
     </message>
+    <message>
+        <source>Frequencies, or lost motion</source>
+        <translation>Frequenzen, oder Totgang</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>The frequencies could not be worked out: %1</source>
+        <translation>Die Frequenzen ließen sich nicht berechnen: %1</translation>
+    </message>
+    <message>
+        <source>Draw turning joints and gear meshes: what repeats in their motion appears here.</source>
+        <translation>Zeichnen Sie Drehgelenke und Zahneingriffe: was sich in ihrer Bewegung wiederholt, erscheint hier.</translation>
+    </message>
+    <message>
+        <source>Frequencies</source>
+        <translation>Frequenzen</translation>
+    </message>
+    <message>
+        <source>Shafts, tooth meshes with harmonics and sidebands, passing planets, hunting tooth and assembly phase</source>
+        <translation>Wellen, Zahneingriffe mit Harmonischen und Seitenbändern, vorbeilaufende Planeten, Wiederkehr des Zahnpaars und Montagephase</translation>
+    </message>
+    <message>
+        <source>The same as lines over a logarithmic axis</source>
+        <translation>Dieselben als Linien über einer logarithmischen Achse</translation>
+    </message>
+    <message>
+        <source>Lost motion</source>
+        <translation>Totgang</translation>
+    </message>
+    <message>
+        <source>How far the outputs turn by the play of the teeth while the inputs are held</source>
+        <translation>Wie weit die Abtriebe durch das Spiel der Zähne drehen, während die Antriebe gehalten werden</translation>
+    </message>
+    <message>
+        <source>Export the table to a CSV file</source>
+        <translation>Die Tabelle in eine CSV-Datei exportieren</translation>
+    </message>
+    <message>
+        <source>lost-motion.csv</source>
+        <translation>totgang.csv</translation>
+    </message>
+    <message>
+        <source>frequencies.csv</source>
+        <translation>frequenzen.csv</translation>
+    </message>
+    <message>
+        <source>The state whose couplings are engaged</source>
+        <translation>Der Zustand, dessen Kupplungen eingerückt sind</translation>
+    </message>
+    <message>
+        <source>Speed of the input shaft, rpm</source>
+        <translation>Drehzahl der Antriebswelle, 1/min</translation>
+    </message>
+    <message>
+        <source>A speed above 0, in turns a minute.</source>
+        <translation>Eine Drehzahl über 0, in Umdrehungen je Minute.</translation>
+    </message>
+    <message>
+        <source>Input shaft, rpm</source>
+        <translation>Antriebswelle, 1/min</translation>
+    </message>
+    <message>
+        <source>Its speed in turns a minute: frequencies in Hz</source>
+        <translation>Ihre Drehzahl in Umdrehungen je Minute: Frequenzen in Hz</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmonische</translation>
+    </message>
+    <message>
+        <source>How many multiples of each tooth mesh are listed</source>
+        <translation>Wie viele Vielfache jedes Zahneingriffs aufgeführt werden</translation>
+    </message>
+    <message>
+        <source>Sidebands</source>
+        <translation>Seitenbänder</translation>
+    </message>
+    <message>
+        <source>How many sidebands each multiple has on either side</source>
+        <translation>Wie viele Seitenbänder jedes Vielfache auf jeder Seite hat</translation>
+    </message>
+    <message>
+        <source>How many equal planets one stands for that is drawn alone</source>
+        <translation>Für wie viele gleiche Planeten einer steht, der allein gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>No output can be told from an input here, so that there is no lost motion: drive a joint.</source>
+        <translation>Hier ist kein Abtrieb von einem Antrieb zu unterscheiden, also gibt es keinen Totgang: treiben Sie ein Gelenk an.</translation>
+    </message>
+    <message>
+        <source>Minutes of arc from stop to stop, inputs held; &quot;worst&quot; adds all plays, the root of squares is what assemblies show.</source>
+        <translation>Winkelminuten von Anschlag zu Anschlag, Antriebe gehalten; „schlimmster“ zählt alle Spiele zusammen, die Wurzel der Quadrate ist, was Baugruppen zeigen.</translation>
+    </message>
+    <message>
+        <source>Cycles for one turn of the %1.</source>
+        <translation>Zyklen je Umdrehung der Welle (%1).</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Schwingungen</translation>
+    </message>
+    <message>
+        <source>Frequencies of shafts, tooth meshes and planets, and the motion that the play of the teeth loses.</source>
+        <translation>Frequenzen von Wellen, Zahneingriffen und Planeten, und die Bewegung, die das Spiel der Zähne verschluckt.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

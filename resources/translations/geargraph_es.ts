@@ -18981,6 +18981,114 @@ pares / portasatélites: %3</translation>
         <source>Add freewheel</source>
         <translation>Añadir rueda libre</translation>
     </message>
+    <message>
+        <source>Frequencies, or lost motion</source>
+        <translation>Frecuencias, o juego perdido</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>The frequencies could not be worked out: %1</source>
+        <translation>No se pudieron calcular las frecuencias: %1</translation>
+    </message>
+    <message>
+        <source>Draw turning joints and gear meshes: what repeats in their motion appears here.</source>
+        <translation>Dibuje articulaciones y engranes: lo que se repite en su movimiento aparece aquí.</translation>
+    </message>
+    <message>
+        <source>Frequencies</source>
+        <translation>Frecuencias</translation>
+    </message>
+    <message>
+        <source>Shafts, tooth meshes with harmonics and sidebands, passing planets, hunting tooth and assembly phase</source>
+        <translation>Ejes, engranes con armónicos y bandas laterales, satélites que pasan, reencuentro de dientes y fase de montaje</translation>
+    </message>
+    <message>
+        <source>The same as lines over a logarithmic axis</source>
+        <translation>Lo mismo como líneas sobre un eje logarítmico</translation>
+    </message>
+    <message>
+        <source>Lost motion</source>
+        <translation>Juego perdido</translation>
+    </message>
+    <message>
+        <source>How far the outputs turn by the play of the teeth while the inputs are held</source>
+        <translation>Cuánto giran las salidas por el juego de los dientes mientras se sujetan las entradas</translation>
+    </message>
+    <message>
+        <source>Export the table to a CSV file</source>
+        <translation>Exportar la tabla a un archivo CSV</translation>
+    </message>
+    <message>
+        <source>lost-motion.csv</source>
+        <translation>juego-perdido.csv</translation>
+    </message>
+    <message>
+        <source>frequencies.csv</source>
+        <translation>frecuencias.csv</translation>
+    </message>
+    <message>
+        <source>The state whose couplings are engaged</source>
+        <translation>El estado cuyos acoplamientos están accionados</translation>
+    </message>
+    <message>
+        <source>Speed of the input shaft, rpm</source>
+        <translation>Velocidad del eje de entrada, rpm</translation>
+    </message>
+    <message>
+        <source>A speed above 0, in turns a minute.</source>
+        <translation>Una velocidad mayor que 0, en vueltas por minuto.</translation>
+    </message>
+    <message>
+        <source>Input shaft, rpm</source>
+        <translation>Eje de entrada, rpm</translation>
+    </message>
+    <message>
+        <source>Its speed in turns a minute: frequencies in Hz</source>
+        <translation>Su velocidad en vueltas por minuto: frecuencias en Hz</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Armónicos</translation>
+    </message>
+    <message>
+        <source>How many multiples of each tooth mesh are listed</source>
+        <translation>Cuántos múltiplos de cada engrane se listan</translation>
+    </message>
+    <message>
+        <source>Sidebands</source>
+        <translation>Bandas laterales</translation>
+    </message>
+    <message>
+        <source>How many sidebands each multiple has on either side</source>
+        <translation>Cuántas bandas laterales tiene cada múltiplo a cada lado</translation>
+    </message>
+    <message>
+        <source>How many equal planets one stands for that is drawn alone</source>
+        <translation>Por cuántos satélites iguales está uno dibujado solo</translation>
+    </message>
+    <message>
+        <source>No output can be told from an input here, so that there is no lost motion: drive a joint.</source>
+        <translation>Aquí ninguna salida se distingue de una entrada, así que no hay juego perdido: accione una articulación.</translation>
+    </message>
+    <message>
+        <source>Minutes of arc from stop to stop, inputs held; &quot;worst&quot; adds all plays, the root of squares is what assemblies show.</source>
+        <translation>Minutos de arco de tope a tope, entradas sujetas; «peor» suma todos los juegos, la raíz de los cuadrados es lo que muestran los conjuntos.</translation>
+    </message>
+    <message>
+        <source>Cycles for one turn of the %1.</source>
+        <translation>Ciclos por vuelta del eje (%1).</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibración</translation>
+    </message>
+    <message>
+        <source>Frequencies of shafts, tooth meshes and planets, and the motion that the play of the teeth loses.</source>
+        <translation>Frecuencias de ejes, engranes y satélites, y el movimiento que pierde el juego de los dientes.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -18970,7 +18970,7 @@ dişli çiftleri / taşıyıcı: %3</translation>
     </message>
     <message>
         <source>Freewheel: %1 cannot overtake %2</source>
-        <translation>Serbest teker: %1, %2 öğesini geçemez</translation>
+        <translation>Tek yönlü kavrama: %1, %2 öğesini geçemez</translation>
     </message>
     <message>
         <source>It locks where the first link would turn faster, about the direction of their axis.</source>
@@ -18978,7 +18978,115 @@ dişli çiftleri / taşıyıcı: %3</translation>
     </message>
     <message>
         <source>Add freewheel</source>
-        <translation>Serbest teker ekle</translation>
+        <translation>Tek yönlü kavrama ekle</translation>
+    </message>
+    <message>
+        <source>Frequencies, or lost motion</source>
+        <translation>Frekanslar ya da boşluk hareketi</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>The frequencies could not be worked out: %1</source>
+        <translation>Frekanslar hesaplanamadı: %1</translation>
+    </message>
+    <message>
+        <source>Draw turning joints and gear meshes: what repeats in their motion appears here.</source>
+        <translation>Döner mafsallar ve diş kavramaları çizin: hareketlerinde yinelenenler burada görünür.</translation>
+    </message>
+    <message>
+        <source>Frequencies</source>
+        <translation>Frekanslar</translation>
+    </message>
+    <message>
+        <source>Shafts, tooth meshes with harmonics and sidebands, passing planets, hunting tooth and assembly phase</source>
+        <translation>Miller, harmonikleri ve yan bantlarıyla diş kavramaları, geçen gezegenler, aynı diş çiftinin buluşması ve montaj fazı</translation>
+    </message>
+    <message>
+        <source>The same as lines over a logarithmic axis</source>
+        <translation>Aynıları logaritmik eksen üzerinde çizgiler olarak</translation>
+    </message>
+    <message>
+        <source>Lost motion</source>
+        <translation>Boşluk hareketi</translation>
+    </message>
+    <message>
+        <source>How far the outputs turn by the play of the teeth while the inputs are held</source>
+        <translation>Girişler tutulurken çıkışların diş boşluğuyla ne kadar döndüğü</translation>
+    </message>
+    <message>
+        <source>Export the table to a CSV file</source>
+        <translation>Tabloyu bir CSV dosyasına aktar</translation>
+    </message>
+    <message>
+        <source>lost-motion.csv</source>
+        <translation>bosluk-hareketi.csv</translation>
+    </message>
+    <message>
+        <source>frequencies.csv</source>
+        <translation>frekanslar.csv</translation>
+    </message>
+    <message>
+        <source>The state whose couplings are engaged</source>
+        <translation>Kavramaları kenetli olan durum</translation>
+    </message>
+    <message>
+        <source>Speed of the input shaft, rpm</source>
+        <translation>Giriş milinin hızı, d/dk</translation>
+    </message>
+    <message>
+        <source>A speed above 0, in turns a minute.</source>
+        <translation>0&apos;dan büyük bir hız, dakikadaki tur olarak.</translation>
+    </message>
+    <message>
+        <source>Input shaft, rpm</source>
+        <translation>Giriş mili, d/dk</translation>
+    </message>
+    <message>
+        <source>Its speed in turns a minute: frequencies in Hz</source>
+        <translation>Dakikadaki tur sayısı: frekanslar Hz olarak</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmonikler</translation>
+    </message>
+    <message>
+        <source>How many multiples of each tooth mesh are listed</source>
+        <translation>Her diş kavramasının kaç katının listelendiği</translation>
+    </message>
+    <message>
+        <source>Sidebands</source>
+        <translation>Yan bantlar</translation>
+    </message>
+    <message>
+        <source>How many sidebands each multiple has on either side</source>
+        <translation>Her katın iki yanında kaç yan bant olduğu</translation>
+    </message>
+    <message>
+        <source>How many equal planets one stands for that is drawn alone</source>
+        <translation>Tek çizilmiş bir gezegenin kaç eşit gezegeni temsil ettiği</translation>
+    </message>
+    <message>
+        <source>No output can be told from an input here, so that there is no lost motion: drive a joint.</source>
+        <translation>Burada çıkış girişten ayrılamıyor, bu yüzden boşluk hareketi yok: bir mafsalı sürün.</translation>
+    </message>
+    <message>
+        <source>Minutes of arc from stop to stop, inputs held; &quot;worst&quot; adds all plays, the root of squares is what assemblies show.</source>
+        <translation>Durdurmadan durdurmaya yay dakikası, girişler tutulu; &quot;en kötü&quot; bütün boşlukları toplar, karelerin kökü montajlarda görülendir.</translation>
+    </message>
+    <message>
+        <source>Cycles for one turn of the %1.</source>
+        <translation>Milin bir turundaki çevrim sayısı (%1).</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Titreşim</translation>
+    </message>
+    <message>
+        <source>Frequencies of shafts, tooth meshes and planets, and the motion that the play of the teeth loses.</source>
+        <translation>Millerin, diş kavramalarının ve gezegenlerin frekansları ile diş boşluğunun yuttuğu hareket.</translation>
     </message>
 </context>
 <context>

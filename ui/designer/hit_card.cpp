@@ -13,7 +13,7 @@
 
 #include "core/design/gearboxes/section_rules.h"
 #include "core/foundations/base/locale.h"
-#include "ui/designer/drawing_preview.h"
+#include "ui/canvas/drawing_preview.h"
 #include "ui/designer/hit_words.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"

@@ -10,7 +10,7 @@
 #include <QScrollArea>
 
 #include "core/design/gearboxes/hub_json.h"
-#include "ui/designer/drawing_preview.h"
+#include "ui/canvas/drawing_preview.h"
 #include "ui/designer/hub_words.h"
 #include "ui/theme/theme_colors.h"
 

@@ -10,6 +10,7 @@
 #include "ui/forces/inputs_and_results.h"
 #include "ui/lever_views/levers_view.h"
 #include "ui/motion_panel/dynamics_panel.h"
+#include "ui/motion_panel/vibration_panel.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
@@ -23,9 +24,10 @@ namespace geargraph {
 
 std::vector<ViewEntry> viewTable() {
   return {
-      digraphView(), ttGraphView(),  schematicView(), leversView(),     matricesView(), problemsView(),
-      view3dView(),  inputsView(),   gearboxView(),   propertiesView(), speedsView(),   derivationView(),
-      forcesView(),  dynamicsView(), teethView(),     atlasView(),      designerView(), hardwareView(),
+      digraphView(),  ttGraphView(),    schematicView(), leversView(),    matricesView(),
+      problemsView(), view3dView(),     inputsView(),    gearboxView(),   propertiesView(),
+      speedsView(),   derivationView(), forcesView(),    dynamicsView(),  teethView(),
+      atlasView(),    designerView(),   hardwareView(),  vibrationView(),
   };
 }
 

@@ -52,7 +52,7 @@ QRectF SetPreview::extent() const {
       const AxisLine& line = m_placement.lineOfClass(tail ? mesh->tailClass : mesh->headClass);
       const QPointF a = projected(mesh->pitchPoint);
       const QPointF b = projected(mirrored(mesh->pitchPoint, line));
-      const double radius = std::abs(tail ? mesh->tailRadius : mesh->headRadius);
+      const double radius = tail ? mesh->tailPitchRadius() : mesh->headPitchRadius();
       const QPointF centre = (a + b) / 2;
       all = all.united(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius));
     }
@@ -63,7 +63,7 @@ QRectF SetPreview::extent() const {
 void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail) const {
   const int link = tail ? mesh.tail : mesh.head;
   const AxisLine& line = m_placement.lineOfClass(tail ? mesh.tailClass : mesh.headClass);
-  const double radius = std::abs(tail ? mesh.tailRadius : mesh.headRadius);
+  const double radius = tail ? mesh.tailPitchRadius() : mesh.headPitchRadius();
   const QPointF a = projected(mesh.pitchPoint);
   const QPointF b = projected(mirrored(mesh.pitchPoint, line));
   QPen pen(qColor(linkColor(m_mechanism.colorNumber(link))), 2.5);
@@ -75,6 +75,19 @@ void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool ta
   painter.setBrush(fill);
   if (hasParallelAxes(mesh.kind)) {
     painter.drawEllipse((a + b) / 2, radius, radius);
+    return;
+  }
+  if (hasSkewAxes(mesh.kind)) {  // as a roll, or a circle where it is seen along its axis
+    const QPointF along = projected(line.point + line.direction) - projected(line.point);
+    if (std::hypot(along.x(), along.y()) < 0.5) {
+      painter.drawEllipse((a + b) / 2, radius, radius);
+      return;
+    }
+    const double half = pairKind(mesh.kind).isThreaded
+                            ? std::min(mesh.tailPitchRadius(), mesh.headPitchRadius()) * 2
+                            : radius / 2;
+    const QPointF way = half / std::hypot(along.x(), along.y()) * along;
+    painter.drawPolygon(QPolygonF({a + way, b + way, b - way, a - way}));
     return;
   }
   painter.drawLine(a, b);

@@ -125,7 +125,7 @@ void addDocument(py::module_& module) {
             continue;
           }
           meshes.append(py::make_tuple(meshKindName(geometry->kind), geometry->pitchPoint,
-                                       std::abs(geometry->tailRadius), std::abs(geometry->headRadius),
+                                       geometry->tailPitchRadius(), geometry->headPitchRadius(),
                                        geometry->carrier));
         }
         return meshes;

@@ -28,8 +28,8 @@ std::string certificateOf(const Document& document, const std::string& wish, std
 
 /// Whether a certificate holds, the sentences that say why it does not, and how many choices were tried.
 py::tuple checkedTeeth(const std::string& certificate) {
-  const TeethVerdict verdict =
-      valueOrRaise(interruptible([&](const std::stop_token& stop) { return checkTeeth(certificate, stop); }));
+  const TeethVerdict verdict = valueOrRaise(
+      interruptible([&](const std::stop_token& stop) { return geargraph::checkTeeth(certificate, stop); }));
   return py::make_tuple(verdict.holds(), verdict.faults, verdict.tried, verdict.within);
 }
 

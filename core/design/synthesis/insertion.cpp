@@ -67,7 +67,7 @@ Rational shiftBeside(const Mechanism& mechanism, const Mechanism& set) {
     for (const AxisLine& line : placement.axes) reach = std::max(reach, sign * line.point[1]);
     for (const auto& mesh : placement.meshes) {
       if (!mesh) continue;
-      const double radius = std::max(std::abs(mesh->tailRadius), std::abs(mesh->headRadius));
+      const double radius = std::max(mesh->tailPitchRadius(), mesh->headPitchRadius());
       reach = std::max(reach, sign * mesh->pitchPoint[1] + 2 * radius);
     }
     return reach;

@@ -13,7 +13,7 @@
 #include <QToolButton>
 
 #include "ui/designer/designer_panel.h"
-#include "ui/designer/drawing_preview.h"
+#include "ui/canvas/drawing_preview.h"
 #include "ui/designer/hit_card.h"
 #include "ui/designer/hit_words.h"
 #include "ui/designer/hits_table.h"

@@ -22,27 +22,26 @@ std::atomic<int> placements, shapings, plans;
 }  // namespace
 
 Placement countedPlacement(const Mechanism& mechanism) asm(
-    "__wrap__ZN9geargraph9placement11placementOfERKNS_5model9MechanismE");
-Placement realPlacement(const Mechanism& mechanism) asm(
-    "__real__ZN9geargraph9placement11placementOfERKNS_5model9MechanismE");
+    "__wrap__ZN9geargraph11placementOfERKNS_9MechanismE");
+Placement realPlacement(const Mechanism& mechanism) asm("__real__ZN9geargraph11placementOfERKNS_9MechanismE");
 Placement countedPlacement(const Mechanism& mechanism) {
   ++placements;
   return realPlacement(mechanism);
 }
 
 Placement countedPlacement(const Mechanism& mechanism, std::optional<JointTree> tree) asm(
-    "__wrap__ZN9geargraph9placement11placementOfERKNS_5model9MechanismESt8optionalINS0_9JointTreeEE");
+    "__wrap__ZN9geargraph11placementOfERKNS_9MechanismESt8optionalINS_9JointTreeEE");
 Placement realPlacement(const Mechanism& mechanism, std::optional<JointTree> tree) asm(
-    "__real__ZN9geargraph9placement11placementOfERKNS_5model9MechanismESt8optionalINS0_9JointTreeEE");
+    "__real__ZN9geargraph11placementOfERKNS_9MechanismESt8optionalINS_9JointTreeEE");
 Placement countedPlacement(const Mechanism& mechanism, std::optional<JointTree> tree) {
   ++placements;
   return realPlacement(mechanism, std::move(tree));
 }
 
 void countedShaping(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) asm(
-    "__wrap__ZN9geargraph5train11shapeWheelsERKNS_5model9MechanismERNS0_11TrainWheelsERKSt10stop_token");
+    "__wrap__ZN9geargraph11shapeWheelsERKNS_9MechanismERNS_11TrainWheelsERKSt10stop_token");
 void realShaping(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) asm(
-    "__real__ZN9geargraph5train11shapeWheelsERKNS_5model9MechanismERNS0_11TrainWheelsERKSt10stop_token");
+    "__real__ZN9geargraph11shapeWheelsERKNS_9MechanismERNS_11TrainWheelsERKSt10stop_token");
 void countedShaping(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) {
   ++shapings;
   realShaping(mechanism, train, stop);
@@ -50,14 +49,10 @@ void countedShaping(const Mechanism& mechanism, TrainWheels& train, const std::s
 
 Arrangement
 countedPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train, const std::stop_token& stop) asm(
-    "__wrap__ZN9geargraph11arrangement13arrangementOfERKNS_5model9MechanismERKNS_9placement9PlacementERKNS_"
-    "5train9GearTrai"
-    "nERKSt10stop_token");
+    "__wrap__ZN9geargraph13arrangementOfERKNS_9MechanismERKNS_9PlacementERKNS_9GearTrainERKSt10stop_token");
 Arrangement
 realPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train, const std::stop_token& stop) asm(
-    "__real__ZN9geargraph11arrangement13arrangementOfERKNS_5model9MechanismERKNS_9placement9PlacementERKNS_"
-    "5train9GearTrai"
-    "nERKSt10stop_token");
+    "__real__ZN9geargraph13arrangementOfERKNS_9MechanismERKNS_9PlacementERKNS_9GearTrainERKSt10stop_token");
 Arrangement countedPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                         const std::stop_token& stop) {
   ++plans;

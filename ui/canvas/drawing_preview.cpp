@@ -1,4 +1,4 @@
-#include "ui/designer/drawing_preview.h"
+#include "ui/canvas/drawing_preview.h"
 
 #include <QPainter>
 
