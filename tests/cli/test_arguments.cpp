@@ -27,7 +27,7 @@ std::string errorOf(const Words& words) {
 
 }  // namespace
 
-class TestArguments : public QObject {
+class ArgumentsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -87,5 +87,5 @@ class TestArguments : public QObject {
 
 }  // namespace geargraph::cli
 
-QTEST_APPLESS_MAIN(geargraph::cli::TestArguments)
+QTEST_APPLESS_MAIN(geargraph::cli::ArgumentsTest)
 #include "test_arguments.moc"

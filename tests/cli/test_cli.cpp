@@ -48,7 +48,7 @@ test::Dense matrixOfJson(const json& matrix) {
 
 }  // namespace
 
-class TestCli : public QObject {
+class CliTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -546,5 +546,5 @@ class TestCli : public QObject {
   std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestCli)
+QTEST_GUILESS_MAIN(CliTest)
 #include "test_cli.moc"

@@ -25,7 +25,7 @@ std::set<std::string> codesIn(const json& report) {
 }  // namespace
 
 /// What statics and the shift table answer, and what they leave out with a reason.
-class TestCliAnswers : public QObject {
+class CliAnswersTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -117,5 +117,5 @@ class TestCliAnswers : public QObject {
   int m_next = 0;
 };
 
-QTEST_GUILESS_MAIN(TestCliAnswers)
+QTEST_GUILESS_MAIN(CliAnswersTest)
 #include "test_cli_answers.moc"

@@ -62,7 +62,7 @@ Run program(const QString& name, const QStringList& words) {
 
 }  // namespace
 
-class TestCliCoupling : public QObject {
+class CliCouplingTest : public QObject {
   Q_OBJECT
 
   QTemporaryDir m_place;
@@ -199,5 +199,5 @@ class TestCliCoupling : public QObject {
   static QString kRobotFile() { return test::kRobot; }
 };
 
-QTEST_GUILESS_MAIN(TestCliCoupling)
+QTEST_GUILESS_MAIN(CliCouplingTest)
 #include "test_cli_coupling.moc"

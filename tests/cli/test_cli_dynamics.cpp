@@ -20,7 +20,7 @@ const QString kPlanetary = QString::fromStdString(test::examplePath("planetary-r
 
 }  // namespace
 
-class TestCliDynamics : public QObject {
+class CliDynamicsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -122,5 +122,5 @@ class TestCliDynamics : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestCliDynamics)
+QTEST_GUILESS_MAIN(CliDynamicsTest)
 #include "test_cli_dynamics.moc"

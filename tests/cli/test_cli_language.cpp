@@ -39,7 +39,7 @@ QString said(const QStringList& words, const QMap<QString, QString>& locale = {}
 
 }  // namespace
 
-class TestCliLanguage : public QObject {
+class CliLanguageTest : public QObject {
   Q_OBJECT
  private slots:
   void aLocaleNamesItsLanguage() {
@@ -119,5 +119,5 @@ class TestCliLanguage : public QObject {
 
 }  // namespace geargraph::cli
 
-QTEST_GUILESS_MAIN(geargraph::cli::TestCliLanguage)
+QTEST_GUILESS_MAIN(geargraph::cli::CliLanguageTest)
 #include "test_cli_language.moc"

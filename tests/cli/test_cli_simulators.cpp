@@ -21,7 +21,7 @@ bool says(const Run& call, const char* words) {
 
 }  // namespace
 
-class TestCliSimulators : public QObject {
+class CliSimulatorsTest : public QObject {
   Q_OBJECT
 
   QTemporaryDir m_place;
@@ -96,5 +96,5 @@ class TestCliSimulators : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestCliSimulators)
+QTEST_GUILESS_MAIN(CliSimulatorsTest)
 #include "test_cli_simulators.moc"

@@ -28,7 +28,7 @@ std::set<std::string> codesOf(const json& report) {
 
 }  // namespace
 
-class TestCliStatics : public QObject {
+class CliStaticsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -454,5 +454,5 @@ class TestCliStatics : public QObject {
   int m_next = 0;
 };
 
-QTEST_GUILESS_MAIN(TestCliStatics)
+QTEST_GUILESS_MAIN(CliStaticsTest)
 #include "test_cli_statics.moc"

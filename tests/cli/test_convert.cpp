@@ -5,7 +5,7 @@
 
 using namespace geargraph::test;
 
-class TestConvert : public QObject {
+class ConvertTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -85,5 +85,5 @@ class TestConvert : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestConvert)
+QTEST_GUILESS_MAIN(ConvertTest)
 #include "test_convert.moc"

@@ -25,7 +25,7 @@ std::pair<int, int> sizeOf(std::string_view png) {
 
 }  // namespace
 
-class TestExportPicture : public QObject {
+class ExportPictureTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -191,5 +191,5 @@ class TestExportPicture : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestExportPicture)
+QTEST_APPLESS_MAIN(ExportPictureTest)
 #include "test_export_picture.moc"

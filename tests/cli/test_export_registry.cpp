@@ -54,7 +54,7 @@ QStringList wordsOf(const Exporter& exporter, const QString& path) {
 }  // namespace
 
 /// The command line says and takes what the registry of exporters has.
-class TestExportRegistry : public QObject {
+class ExportRegistryTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -115,5 +115,5 @@ class TestExportRegistry : public QObject {
 
 }  // namespace geargraph::cli
 
-QTEST_GUILESS_MAIN(geargraph::cli::TestExportRegistry)
+QTEST_GUILESS_MAIN(geargraph::cli::ExportRegistryTest)
 #include "test_export_registry.moc"

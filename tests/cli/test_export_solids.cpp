@@ -53,7 +53,7 @@ QByteArray rowOfWheels(const std::vector<int>& teeth) {
 
 }  // namespace
 
-class TestExportSolids : public QObject {
+class ExportSolidsTest : public QObject {
   Q_OBJECT
  private slots:
   void everyFormatIsWrittenTheSameToFilesAndToStandardOutput_data() {
@@ -256,5 +256,5 @@ class TestExportSolids : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestExportSolids)
+QTEST_GUILESS_MAIN(ExportSolidsTest)
 #include "test_export_solids.moc"

@@ -44,7 +44,7 @@ void runScript(const char* name, const QStringList& words, const QStringList& va
 
 }  // namespace
 
-class TestGearboxCommand : public QObject {
+class GearboxCommandTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -170,5 +170,5 @@ class TestGearboxCommand : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestGearboxCommand)
+QTEST_GUILESS_MAIN(GearboxCommandTest)
 #include "test_gearbox.moc"

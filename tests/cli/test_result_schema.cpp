@@ -93,7 +93,7 @@ std::vector<Call> callsOf(const json& document) {
 }  // namespace
 
 /// resources/schema/results.schema.json against what the built program prints.
-class TestResultSchema : public QObject {
+class ResultSchemaTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -323,5 +323,5 @@ class TestResultSchema : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestResultSchema)
+QTEST_GUILESS_MAIN(ResultSchemaTest)
 #include "test_result_schema.moc"

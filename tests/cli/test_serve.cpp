@@ -89,7 +89,7 @@ QByteArray printed(const QStringList& words) {
 
 }  // namespace
 
-class TestServe : public QObject {
+class ServeTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -545,5 +545,5 @@ class TestServe : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestServe)
+QTEST_GUILESS_MAIN(ServeTest)
 #include "test_serve.moc"

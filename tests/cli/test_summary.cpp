@@ -23,7 +23,7 @@ QString examples() {
 
 }  // namespace
 
-class TestSummary : public QObject {
+class SummaryTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -69,5 +69,5 @@ class TestSummary : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestSummary)
+QTEST_GUILESS_MAIN(SummaryTest)
 #include "test_summary.moc"

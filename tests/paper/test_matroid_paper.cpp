@@ -72,7 +72,7 @@ Vector3 meshVelocity(int label) {
 
 }  // namespace
 
-class TestMatroidPaper : public QObject {
+class MatroidPaperTest : public QObject {
   Q_OBJECT
  private slots:
   void eq06_screwsHaveADirectionAndAMoment() {
@@ -325,5 +325,5 @@ class TestMatroidPaper : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMatroidPaper)
+QTEST_APPLESS_MAIN(MatroidPaperTest)
 #include "test_matroid_paper.moc"

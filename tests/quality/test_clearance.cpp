@@ -305,7 +305,7 @@ void exampleRows() {
 
 }  // namespace
 
-class TestClearance : public QObject {
+class ClearanceTest : public QObject {
   Q_OBJECT
  private slots:
   /// Nothing of one link cuts into another, carriers moving.
@@ -426,5 +426,5 @@ class TestClearance : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestClearance)
+QTEST_APPLESS_MAIN(ClearanceTest)
 #include "test_clearance.moc"

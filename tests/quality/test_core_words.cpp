@@ -115,7 +115,7 @@ const QRegularExpression kNames(
 }  // namespace
 
 /// A sentence that is written into the program without the words mechanism stays English in every language.
-class TestCoreWords : public QObject {
+class CoreWordsTest : public QObject {
   Q_OBJECT
  private slots:
   /// The check has to be able to fail.
@@ -168,5 +168,5 @@ class TestCoreWords : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCoreWords)
+QTEST_APPLESS_MAIN(CoreWordsTest)
 #include "test_core_words.moc"

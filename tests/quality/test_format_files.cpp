@@ -71,7 +71,7 @@ std::string withProperties(const std::string& source, const char* name, Document
 }  // namespace
 
 /// Files that follow from the description of the document are those in the tree.
-class TestFormatFiles : public QObject {
+class FormatFilesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -118,5 +118,5 @@ class TestFormatFiles : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFormatFiles)
+QTEST_APPLESS_MAIN(FormatFilesTest)
 #include "test_format_files.moc"

@@ -95,7 +95,7 @@ void compareHelicalToBars(const HelicalSections& measured, std::size_t mesh) {
 }  // namespace
 
 /// Helical teeth mesh all along their face: measured in sections by the independent checker.
-class TestHelicalTeeth : public QObject {
+class HelicalTeethTest : public QObject {
   Q_OBJECT
  private slots:
   void pairsMesh_data() {
@@ -188,5 +188,5 @@ class TestHelicalTeeth : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestHelicalTeeth)
+QTEST_APPLESS_MAIN(HelicalTeethTest)
 #include "test_helical_teeth.moc"

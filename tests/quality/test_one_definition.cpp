@@ -21,7 +21,7 @@ QStringList names(const char* source) {
 /// The rule of one definition, which neither compiler nor linker checks: two types of one qualified name in
 /// different files, or two inline functions of one signature, are undefined behaviour. Tests count, too:
 /// those of a wing may share a program.
-class TestOneDefinition : public QObject {
+class OneDefinitionTest : public QObject {
   Q_OBJECT
  private slots:
   void typesAreFoundUnderTheirQualifiedNames() {
@@ -95,5 +95,5 @@ class TestOneDefinition : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestOneDefinition)
+QTEST_APPLESS_MAIN(OneDefinitionTest)
 #include "test_one_definition.moc"

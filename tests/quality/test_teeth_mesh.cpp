@@ -137,7 +137,7 @@ void compareToBars(const test::MeshReport& r, double backlash = 0.04) {
 
 }  // namespace
 
-class TestTeethMesh : public QObject {
+class TeethMeshTest : public QObject {
   Q_OBJECT
  private slots:
   void externalPairsMesh_data() {
@@ -390,5 +390,5 @@ class TestTeethMesh : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTeethMesh)
+QTEST_APPLESS_MAIN(TeethMeshTest)
 #include "test_teeth_mesh.moc"

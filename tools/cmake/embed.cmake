@@ -1,6 +1,6 @@
-# geargraph_embed(OUT HEADER NAMESPACE FUNCTION files...): a source that answers FUNCTION() with the bytes of the files, as
+# geargraph_embed(OUT HEADER FUNCTION files...): a source that answers FUNCTION() with the bytes of the files, as
 # a std::span of spans, so that they are part of the program and always exist.
-function(geargraph_embed out header namespace function)
+function(geargraph_embed out header function)
   set(names "")
   set(text "#include \"${header}\"\n\nnamespace geargraph {\nnamespace {\n")
   foreach(file IN LISTS ARGN)

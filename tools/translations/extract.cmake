@@ -1,7 +1,7 @@
 # cmake -D SOURCE=root -D LUPDATE=program -P extract.cmake folder [options of lupdate] -ts catalogues...
 #
-# Brings the catalogues (.ts) up to date with the sources. lupdate cannot follow the nested inline namespaces of the
-# sources, and core has no tr(): so it reads copies in `folder`, in which every marked text is of one context.
+# Brings the catalogues (.ts) up to date with the sources. Core has no tr(): so lupdate reads copies in `folder`, in which
+# every marked text is of one context.
 set(arguments "")
 set(after FALSE)
 math(EXPR last "${CMAKE_ARGC} - 1")

@@ -44,7 +44,7 @@ std::unique_ptr<QMenu> menuAt(ViewDriver& d, CanvasPoint at) {
 
 }  // namespace
 
-class TestDigraphCommands : public QObject {
+class DigraphCommandsTest : public QObject {
   Q_OBJECT
  private slots:
   // --- selection and hover ---
@@ -418,5 +418,5 @@ class TestDigraphCommands : public QObject {
   }
 };
 
-QTEST_MAIN(TestDigraphCommands)
+QTEST_MAIN(DigraphCommandsTest)
 #include "test_digraph_commands.moc"

@@ -37,7 +37,7 @@ Mechanism noted() {
 }  // namespace
 
 /// Notes on the sheet: written, changed, moved, copied and deleted by mouse and by keys.
-class TestDigraphNotes : public QObject {
+class DigraphNotesTest : public QObject {
   Q_OBJECT
  private slots:
   void aClickWithTheToolWritesOne() {
@@ -244,5 +244,5 @@ class TestDigraphNotes : public QObject {
   }
 };
 
-QTEST_MAIN(TestDigraphNotes)
+QTEST_MAIN(DigraphNotesTest)
 #include "test_digraph_notes.moc"

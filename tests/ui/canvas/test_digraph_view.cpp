@@ -64,7 +64,7 @@ int inkedPixels(QWidget& widget, const QRect& area) {
 
 }  // namespace
 
-class TestDigraphView : public QObject {
+class DigraphViewTest : public QObject {
   Q_OBJECT
  private slots:
   // --- drawing a mechanism ---
@@ -474,5 +474,5 @@ class TestDigraphView : public QObject {
   }
 };
 
-QTEST_MAIN(TestDigraphView)
+QTEST_MAIN(DigraphViewTest)
 #include "test_digraph_view.moc"

@@ -104,7 +104,7 @@ class Monkey {
 
 }  // namespace
 
-class TestRandomGestures : public QObject {
+class RandomGesturesTest : public QObject {
   Q_OBJECT
  private slots:
   void whateverIsDoneCanBeUndoneAndRedone_data() {
@@ -151,5 +151,5 @@ class TestRandomGestures : public QObject {
   }
 };
 
-QTEST_MAIN(TestRandomGestures)
+QTEST_MAIN(RandomGesturesTest)
 #include "test_random_gestures.moc"

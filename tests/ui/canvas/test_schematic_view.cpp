@@ -104,7 +104,7 @@ QStringList entriesOfSchematic(const QMenu& menu) {
 
 }  // namespace
 
-class TestSchematicView : public QObject {
+class SchematicViewTest : public QObject {
   Q_OBJECT
  private slots:
   void theDocumentIsDrawnAndFitsTheWindow() {
@@ -401,5 +401,5 @@ class TestSchematicView : public QObject {
   }
 };
 
-QTEST_MAIN(TestSchematicView)
+QTEST_MAIN(SchematicViewTest)
 #include "test_schematic_view.moc"

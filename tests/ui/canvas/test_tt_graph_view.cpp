@@ -39,7 +39,7 @@ const TtGraphScene& sceneOf(const TtDriver& d) {
 
 }  // namespace
 
-class TestTtGraphView : public QObject {
+class TtGraphViewTest : public QObject {
   Q_OBJECT
  private slots:
   void chosenMeshShowsItsCircuitsAndEquations() {
@@ -231,5 +231,5 @@ class TestTtGraphView : public QObject {
   }
 };
 
-QTEST_MAIN(TestTtGraphView)
+QTEST_MAIN(TtGraphViewTest)
 #include "test_tt_graph_view.moc"

@@ -97,7 +97,7 @@ Mechanism engaged(const char* name, int state) {
 
 }  // namespace
 
-class TestLeversView : public QObject {
+class LeversViewTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -463,6 +463,6 @@ class TestLeversView : public QObject {
   }
 };
 
-QTEST_MAIN(TestLeversView)
+QTEST_MAIN(LeversViewTest)
 
 #include "test_levers_view.moc"

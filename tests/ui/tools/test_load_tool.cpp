@@ -34,7 +34,7 @@ bool is(const auto& found, const Proposal& wanted) {
 
 }  // namespace
 
-class TestLoadTool : public QObject {
+class LoadToolTest : public QObject {
   Q_OBJECT
  private slots:
   void aDragCountsSteps() {
@@ -81,5 +81,5 @@ class TestLoadTool : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLoadTool)
+QTEST_APPLESS_MAIN(LoadToolTest)
 #include "test_load_tool.moc"

@@ -21,7 +21,7 @@ Step dragged(ToolKind tool, const Pointer& from, const Pointer& to) {
 }  // namespace
 
 /// The diagram of section_tool.h read aloud.
-class TestSectionTool : public QObject {
+class SectionToolTest : public QObject {
   Q_OBJECT
  private slots:
   void linkDragged_addsAShaft() {
@@ -82,5 +82,5 @@ class TestSectionTool : public QObject {
 
 }  // namespace geargraph::section_tool
 
-QTEST_APPLESS_MAIN(geargraph::section_tool::TestSectionTool)
+QTEST_APPLESS_MAIN(geargraph::section_tool::SectionToolTest)
 #include "test_section_tool.moc"

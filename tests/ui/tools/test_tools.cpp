@@ -29,7 +29,7 @@ using Proposals = std::vector<Proposal>;
 
 }  // namespace
 
-class TestTools : public QObject {
+class ToolsTest : public QObject {
   Q_OBJECT
  private slots:
   // --- select ---
@@ -275,5 +275,5 @@ class TestTools : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestTools)
+QTEST_GUILESS_MAIN(ToolsTest)
 #include "test_tools.moc"

@@ -21,7 +21,7 @@ struct MouseHand {
 
 }  // namespace
 
-class TestPicturePace : public QObject {
+class PicturePaceTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -103,5 +103,5 @@ class TestPicturePace : public QObject {
   }
 };
 
-QTEST_MAIN(TestPicturePace)
+QTEST_MAIN(PicturePaceTest)
 #include "test_picture_pace.moc"

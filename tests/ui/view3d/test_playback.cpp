@@ -8,7 +8,7 @@
 
 using namespace geargraph;
 
-class TestPlayback : public QObject {
+class PlaybackTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -121,5 +121,5 @@ class TestPlayback : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPlayback)
+QTEST_GUILESS_MAIN(PlaybackTest)
 #include "test_playback.moc"

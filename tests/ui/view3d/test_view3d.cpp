@@ -86,7 +86,7 @@ int distance(const QColor& a, const QColor& b) {
 
 }  // namespace
 
-class TestView3D : public QObject {
+class View3DTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -721,7 +721,7 @@ class TestView3D : public QObject {
 int main(int argc, char** argv) {
   View3D::prepareApplication();
   QApplication application(argc, argv);
-  TestView3D test;
+  View3DTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -68,7 +68,7 @@ std::string faultOf(const Mechanism& document, const AtlasChain& chain) {
 
 }  // namespace
 
-class TestAtlas : public QObject {
+class AtlasTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -374,5 +374,5 @@ class TestAtlas : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAtlas)
+QTEST_APPLESS_MAIN(AtlasTest)
 #include "test_atlas.moc"

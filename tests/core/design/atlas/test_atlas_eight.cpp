@@ -18,7 +18,7 @@ std::pair<std::size_t, std::size_t> countedGroups(const std::vector<std::vector<
 }  // namespace
 
 /// The chains of eight links, which the program's atlas leaves out.
-class TestAtlasEight : public QObject {
+class AtlasEightTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -42,5 +42,5 @@ class TestAtlasEight : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAtlasEight)
+QTEST_APPLESS_MAIN(AtlasEightTest)
 #include "test_atlas_eight.moc"

@@ -38,7 +38,7 @@ QString removedText(const TrainIdentity& identity) {
 
 }  // namespace
 
-class TestIdentify : public QObject {
+class IdentifyTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -229,5 +229,5 @@ class TestIdentify : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestIdentify)
+QTEST_APPLESS_MAIN(IdentifyTest)
 #include "test_identify.moc"

@@ -45,7 +45,7 @@ std::vector<CollisionPart> partsOfGround(const Mechanism& mechanism) {
 }  // namespace
 
 /// The ground hangs together.
-class TestGround : public QObject {
+class GroundTest : public QObject {
   Q_OBJECT
  private slots:
   void groundIsOneBodyInTheExamples_data() {
@@ -88,5 +88,5 @@ class TestGround : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestGround)
+QTEST_APPLESS_MAIN(geargraph::GroundTest)
 #include "test_ground.moc"

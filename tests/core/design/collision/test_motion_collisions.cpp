@@ -103,7 +103,7 @@ Mechanism withoutLimits(Mechanism mechanism) {
 
 }  // namespace
 
-class TestMotionCollisions : public QObject {
+class MotionCollisionsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -380,5 +380,5 @@ class TestMotionCollisions : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestMotionCollisions)
+QTEST_APPLESS_MAIN(geargraph::MotionCollisionsTest)
 #include "test_motion_collisions.moc"

@@ -7,7 +7,7 @@
 using namespace geargraph;
 
 /// Searches of minutes: published gearboxes of four sets from nothing but their printed ratios.
-class TestFourSets : public QObject {
+class FourSetsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -54,5 +54,5 @@ class TestFourSets : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFourSets)
+QTEST_APPLESS_MAIN(FourSetsTest)
 #include "test_four_sets.moc"

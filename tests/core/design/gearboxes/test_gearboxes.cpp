@@ -132,7 +132,7 @@ QString gearboxFaultPlace(const std::string& json) {
 
 }  // namespace
 
-class TestGearboxes : public QObject {
+class GearboxesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -599,5 +599,5 @@ class TestGearboxes : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestGearboxes)
+QTEST_APPLESS_MAIN(GearboxesTest)
 #include "test_gearboxes.moc"

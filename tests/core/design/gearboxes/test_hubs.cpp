@@ -47,7 +47,7 @@ QString hubFaultPlace(const std::string& json) {
 
 }  // namespace
 
-class TestHubs : public QObject {
+class HubsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -202,5 +202,5 @@ class TestHubs : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestHubs)
+QTEST_APPLESS_MAIN(HubsTest)
 #include "test_hubs.moc"

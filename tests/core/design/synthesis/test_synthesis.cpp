@@ -57,7 +57,7 @@ std::vector<Rational> ratiosOf(const Mechanism& mechanism) {
 
 }  // namespace
 
-class TestSynthesis : public QObject {
+class SynthesisTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -316,5 +316,5 @@ class TestSynthesis : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSynthesis)
+QTEST_APPLESS_MAIN(SynthesisTest)
 #include "test_synthesis.moc"

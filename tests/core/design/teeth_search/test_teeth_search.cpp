@@ -84,7 +84,7 @@ std::vector<std::string> pointersOf(const Mechanism& mechanism, const std::strin
 
 }  // namespace
 
-class TestTeethSearch : public QObject {
+class TeethSearchTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -484,5 +484,5 @@ class TestTeethSearch : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTeethSearch)
+QTEST_APPLESS_MAIN(TeethSearchTest)
 #include "test_teeth_search.moc"

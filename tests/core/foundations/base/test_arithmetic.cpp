@@ -5,7 +5,7 @@
 using namespace geargraph;
 
 /// Expressions of exact numbers, as people type them.
-class TestArithmetic : public QObject {
+class ArithmeticTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -78,5 +78,5 @@ class TestArithmetic : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestArithmetic)
+QTEST_GUILESS_MAIN(ArithmeticTest)
 #include "test_arithmetic.moc"

@@ -5,7 +5,7 @@
 
 using namespace geargraph;
 
-class TestDecimal : public QObject {
+class DecimalTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -43,5 +43,5 @@ class TestDecimal : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDecimal)
+QTEST_APPLESS_MAIN(DecimalTest)
 #include "test_decimal.moc"

@@ -12,7 +12,7 @@ struct Element {
 
 }  // namespace
 
-class TestPositionIndex : public QObject {
+class PositionIndexTest : public QObject {
   Q_OBJECT
  private slots:
   void everyElementIsFoundAtItsPosition() {
@@ -53,5 +53,5 @@ class TestPositionIndex : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPositionIndex)
+QTEST_APPLESS_MAIN(PositionIndexTest)
 #include "test_position_index.moc"

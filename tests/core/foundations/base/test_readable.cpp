@@ -5,7 +5,7 @@
 
 using namespace geargraph;
 
-class TestReadable : public QObject {
+class ReadableTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -33,5 +33,5 @@ class TestReadable : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestReadable)
+QTEST_APPLESS_MAIN(ReadableTest)
 #include "test_readable.moc"

@@ -4,7 +4,7 @@
 
 using namespace geargraph;
 
-class TestWording : public QObject {
+class WordingTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -27,5 +27,5 @@ class TestWording : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestWording)
+QTEST_APPLESS_MAIN(WordingTest)
 #include "test_wording.moc"

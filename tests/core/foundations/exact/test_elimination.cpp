@@ -78,7 +78,7 @@ IntegerRows chain(int n) {
 
 }  // namespace
 
-class TestElimination : public QObject {
+class EliminationTest : public QObject {
   Q_OBJECT
  private slots:
   void rankIsThatOfADenseEliminationInEveryArithmetic() {
@@ -252,5 +252,5 @@ class TestElimination : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestElimination)
+QTEST_APPLESS_MAIN(EliminationTest)
 #include "test_elimination.moc"

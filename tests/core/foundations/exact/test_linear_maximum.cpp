@@ -12,7 +12,7 @@ LinearBound atMost(std::vector<Rational> coefficients, const Rational& bound) {
 
 }  // namespace
 
-class TestLinearMaximum : public QObject {
+class LinearMaximumTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -54,5 +54,5 @@ class TestLinearMaximum : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLinearMaximum)
+QTEST_APPLESS_MAIN(LinearMaximumTest)
 #include "test_linear_maximum.moc"

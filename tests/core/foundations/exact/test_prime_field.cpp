@@ -7,7 +7,7 @@
 
 using namespace geargraph;
 
-class TestPrimeField : public QObject {
+class PrimeFieldTest : public QObject {
   Q_OBJECT
  private slots:
   void theSeedsGiveTwoPrimesOf61Bits() {
@@ -65,5 +65,5 @@ class TestPrimeField : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPrimeField)
+QTEST_APPLESS_MAIN(PrimeFieldTest)
 #include "test_prime_field.moc"

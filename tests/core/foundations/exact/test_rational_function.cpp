@@ -48,7 +48,7 @@ RationalFunction randomFunction(std::mt19937_64& random) {
 
 }  // namespace
 
-class TestRationalFunction : public QObject {
+class RationalFunctionTest : public QObject {
   Q_OBJECT
  private slots:
   void monomialsPrintInThePapersOrder() {
@@ -171,5 +171,5 @@ class TestRationalFunction : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRationalFunction)
+QTEST_APPLESS_MAIN(RationalFunctionTest)
 #include "test_rational_function.moc"

@@ -5,7 +5,7 @@
 
 using namespace geargraph;
 
-class TestBase64 : public QObject {
+class Base64Test : public QObject {
   Q_OBJECT
  private slots:
   /// The examples of RFC 4648, section 10.
@@ -29,5 +29,5 @@ class TestBase64 : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestBase64)
+QTEST_APPLESS_MAIN(Base64Test)
 #include "test_base64.moc"

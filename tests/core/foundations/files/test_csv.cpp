@@ -59,7 +59,7 @@ std::vector<std::vector<std::string>> parsed(const std::string& text, char separ
 
 }  // namespace
 
-class TestCsv : public QObject {
+class CsvTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -239,5 +239,5 @@ class TestCsv : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCsv)
+QTEST_APPLESS_MAIN(CsvTest)
 #include "test_csv.moc"

@@ -23,7 +23,7 @@ QString all(const std::string& text, char separator = ',') {
 
 }  // namespace
 
-class TestCsvRecords : public QObject {
+class CsvRecordsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -97,5 +97,5 @@ class TestCsvRecords : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCsvRecords)
+QTEST_APPLESS_MAIN(CsvRecordsTest)
 #include "test_csv_records.moc"

@@ -15,7 +15,7 @@ using geargraph::test::contentsOf;
 namespace fs = std::filesystem;
 
 /// A folder of its own for each test.
-class TestFile : public QObject {
+class FileTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -113,5 +113,5 @@ class TestFile : public QObject {
   std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_APPLESS_MAIN(TestFile)
+QTEST_APPLESS_MAIN(FileTest)
 #include "test_file.moc"

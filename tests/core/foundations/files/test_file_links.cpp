@@ -29,7 +29,7 @@ bool isWhole(const std::string& bytes) {
 }  // namespace
 
 /// What a file keeps when it is written again: its other names, owner and attributes.
-class TestFileLinks : public QObject {
+class FileLinksTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -194,5 +194,5 @@ class TestFileLinks : public QObject {
   std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_APPLESS_MAIN(TestFileLinks)
+QTEST_APPLESS_MAIN(FileLinksTest)
 #include "test_file_links.moc"

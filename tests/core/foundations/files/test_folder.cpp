@@ -19,7 +19,7 @@ std::string contents(const fs::path& path) {
 
 }  // namespace
 
-class TestFolder : public QObject {
+class FolderTest : public QObject {
   Q_OBJECT
 
   QTemporaryDir m_place;
@@ -73,5 +73,5 @@ class TestFolder : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestFolder)
+QTEST_APPLESS_MAIN(geargraph::FolderTest)
 #include "test_folder.moc"

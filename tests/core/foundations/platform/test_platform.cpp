@@ -16,7 +16,7 @@
 using namespace geargraph;
 namespace fs = std::filesystem;
 
-class TestPlatform : public QObject {
+class PlatformTest : public QObject {
   Q_OBJECT
 
  private:
@@ -227,5 +227,5 @@ class TestPlatform : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPlatform)
+QTEST_GUILESS_MAIN(PlatformTest)
 #include "test_platform.moc"

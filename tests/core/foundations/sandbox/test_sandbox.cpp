@@ -21,7 +21,7 @@ constexpr int kInherited = 7;  // the descriptor that attempts.cpp looks for
 }  // namespace
 
 /// What code of an attacker can do in the process that reads a file of unknown origin.
-class TestSandbox : public QObject {
+class SandboxTest : public QObject {
   Q_OBJECT
 
   QTemporaryDir folder;
@@ -125,5 +125,5 @@ class TestSandbox : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestSandbox)
+QTEST_GUILESS_MAIN(SandboxTest)
 #include "test_sandbox.moc"

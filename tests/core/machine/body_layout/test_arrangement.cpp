@@ -45,7 +45,7 @@ bool covers(const ShaftSegment& shaft, double coordinate, double slack) {
 }  // namespace
 
 /// What the header of arrangement.h promises.
-class TestArrangement : public QObject {
+class ArrangementTest : public QObject {
   Q_OBJECT
  private slots:
   void everyJointHasOneBearingOnItsAxis() {
@@ -268,5 +268,5 @@ class TestArrangement : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestArrangement)
+QTEST_APPLESS_MAIN(ArrangementTest)
 #include "test_arrangement.moc"

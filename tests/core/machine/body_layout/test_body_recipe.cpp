@@ -4,7 +4,7 @@
 
 using namespace geargraph;
 
-class TestBodyRecipe : public QObject {
+class BodyRecipeTest : public QObject {
   Q_OBJECT
  private slots:
   /// Parts beside each other, each where it was put.
@@ -60,5 +60,5 @@ class TestBodyRecipe : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestBodyRecipe)
+QTEST_APPLESS_MAIN(BodyRecipeTest)
 #include "test_body_recipe.moc"

@@ -33,7 +33,7 @@ struct CasedTrain : test::PlannedTrain {
 }  // namespace
 
 /// The cases of bevel differentials.
-class TestCarrierCases : public QObject {
+class CarrierCasesTest : public QObject {
   Q_OBJECT
  private slots:
   void onlyTheDifferentialOfTheExamplesHasACase() {
@@ -104,5 +104,5 @@ class TestCarrierCases : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCarrierCases)
+QTEST_APPLESS_MAIN(CarrierCasesTest)
 #include "test_carrier_cases.moc"

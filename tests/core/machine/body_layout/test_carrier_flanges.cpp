@@ -56,7 +56,7 @@ void checkPillars(const FlangedTrain& planned, const FlangePlan& made) {
 }  // namespace
 
 /// The second flanges of planetary carriers.
-class TestCarrierFlanges : public QObject {
+class CarrierFlangesTest : public QObject {
   Q_OBJECT
  private slots:
   void planetaryExamplesHaveThem() {
@@ -122,5 +122,5 @@ class TestCarrierFlanges : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCarrierFlanges)
+QTEST_APPLESS_MAIN(CarrierFlangesTest)
 #include "test_carrier_flanges.moc"

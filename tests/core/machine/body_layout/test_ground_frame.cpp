@@ -33,7 +33,7 @@ const SweptEnvelope& gearOf(const FramedTrain& planned, int link) {
 }  // namespace
 
 /// What moving parts sweep, and the frame that stays clear of it.
-class TestGroundFrame : public QObject {
+class GroundFrameTest : public QObject {
   Q_OBJECT
  private slots:
   /// Sun 24, planet 18, ring 60 at module 2: the planet goes round at 42, its tips at 20.
@@ -150,5 +150,5 @@ class TestGroundFrame : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestGroundFrame)
+QTEST_APPLESS_MAIN(GroundFrameTest)
 #include "test_ground_frame.moc"

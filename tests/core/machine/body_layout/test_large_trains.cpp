@@ -35,7 +35,7 @@ std::vector<Mechanism> crowdedTrains() {
 }  // namespace
 
 /// Trains of hundreds and thousands of links.
-class TestLargeTrains : public QObject {
+class LargeTrainsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -140,5 +140,5 @@ class TestLargeTrains : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLargeTrains)
+QTEST_APPLESS_MAIN(LargeTrainsTest)
 #include "test_large_trains.moc"

@@ -121,7 +121,7 @@ Solid cylinder(double from, double to) {
 }  // namespace
 
 /// The solids of a link hang together: nothing of it floats.
-class TestLinkContacts : public QObject {
+class LinkContactsTest : public QObject {
   Q_OBJECT
  private slots:
   /// What the walk itself can tell: two cylinders that reach into each other, and two with a gap.
@@ -199,5 +199,5 @@ class TestLinkContacts : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLinkContacts)
+QTEST_APPLESS_MAIN(LinkContactsTest)
 #include "test_link_contacts.moc"

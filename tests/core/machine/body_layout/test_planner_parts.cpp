@@ -68,7 +68,7 @@ Turning firstOf(const PlanDraft& draft) {
 }  // namespace
 
 /// The parts of the planner, each by itself on a draft.
-class TestPlannerParts : public QObject {
+class PlannerPartsTest : public QObject {
   Q_OBJECT
  private slots:
   /// An intersection lies on both axes; parallel and skew axes have none.
@@ -354,5 +354,5 @@ class TestPlannerParts : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPlannerParts)
+QTEST_APPLESS_MAIN(PlannerPartsTest)
 #include "test_planner_parts.moc"

@@ -60,7 +60,7 @@ int codeCount(const Diagnostics& diagnostics, Code code) {
 
 }  // namespace
 
-class TestTrain : public QObject {
+class TrainTest : public QObject {
   Q_OBJECT
  private slots:
   void robotHasTheEightWheelsOfFigureOne() {
@@ -276,5 +276,5 @@ class TestTrain : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTrain)
+QTEST_APPLESS_MAIN(TrainTest)
 #include "test_train.moc"

@@ -157,7 +157,7 @@ Mechanism meshingSteppedPlanets(int groups) {
 
 }  // namespace
 
-class TestTrainDiagnostics : public QObject {
+class TrainDiagnosticsTest : public QObject {
   Q_OBJECT
  private slots:
   void undercutSaysHowManyTeethAndWhatShiftWouldDo() {
@@ -577,5 +577,5 @@ class TestTrainDiagnostics : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTrainDiagnostics)
+QTEST_APPLESS_MAIN(TrainDiagnosticsTest)
 #include "test_train_diagnostics.moc"

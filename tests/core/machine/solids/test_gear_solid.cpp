@@ -54,7 +54,7 @@ double toothVolume(const GearSpec& spec, double from, double to) {
 
 }  // namespace
 
-class TestGearSolid : public QObject {
+class GearSolidTest : public QObject {
   Q_OBJECT
  private slots:
   void solidsAreClosedManifoldAndOutward_data() {
@@ -304,5 +304,5 @@ class TestGearSolid : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestGearSolid)
+QTEST_APPLESS_MAIN(GearSolidTest)
 #include "test_gear_solid.moc"

@@ -34,7 +34,7 @@ Eigen::Isometry3d somewhere() {
 
 }  // namespace
 
-class TestMassProperties : public QObject {
+class MassPropertiesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -113,5 +113,5 @@ class TestMassProperties : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestMassProperties)
+QTEST_APPLESS_MAIN(geargraph::MassPropertiesTest)
 #include "test_mass_properties.moc"

@@ -22,7 +22,7 @@ void compareShell(const Solid& solid, int genus) {
 
 }  // namespace
 
-class TestPartSolids : public QObject {
+class PartSolidsTest : public QObject {
   Q_OBJECT
  private slots:
   void shaftsAndTubesAreClosed() {
@@ -138,5 +138,5 @@ class TestPartSolids : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPartSolids)
+QTEST_APPLESS_MAIN(PartSolidsTest)
 #include "test_part_solids.moc"

@@ -17,7 +17,7 @@ Solid tetrahedron() {
 
 }  // namespace
 
-class TestSolid : public QObject {
+class SolidTest : public QObject {
   Q_OBJECT
  private slots:
   void volumeOfATetrahedronIsASixth() { QCOMPARE(signedVolume(tetrahedron()), 1.0 / 6); }
@@ -46,5 +46,5 @@ class TestSolid : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSolid)
+QTEST_APPLESS_MAIN(SolidTest)
 #include "test_solid.moc"

@@ -84,7 +84,7 @@ bool onTip(const HalfTooth& tooth, const ProfilePoint& p) {
 
 }  // namespace
 
-class TestToothForm : public QObject {
+class ToothFormTest : public QObject {
   Q_OBJECT
  private slots:
   void inverseInvoluteUndoesTheInvolute() {
@@ -288,5 +288,5 @@ class TestToothForm : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestToothForm)
+QTEST_APPLESS_MAIN(ToothFormTest)
 #include "test_tooth_form.moc"

@@ -52,7 +52,7 @@ struct HelicalCase {
 }  // namespace
 
 /// Helical wheels are spur wheels in their transverse section. Published numbers, and the twisted solid.
-class TestHelical : public QObject {
+class HelicalTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -266,5 +266,5 @@ class TestHelical : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestHelical)
+QTEST_APPLESS_MAIN(HelicalTest)
 #include "test_helical.moc"

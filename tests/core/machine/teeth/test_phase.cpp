@@ -43,7 +43,7 @@ struct Planetary {
 
 }  // namespace
 
-class TestPhase : public QObject {
+class PhaseTest : public QObject {
   Q_OBJECT
  private slots:
   /// A tooth of one wheel points at the pitch point, so a space of the other must.
@@ -167,5 +167,5 @@ class TestPhase : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPhase)
+QTEST_APPLESS_MAIN(PhaseTest)
 #include "test_phase.moc"

@@ -35,7 +35,7 @@ StackPlanes chain(std::size_t count, const std::vector<int>& drawnAs) {
 
 }  // namespace
 
-class TestStackOrder : public QObject {
+class StackOrderTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -91,5 +91,5 @@ class TestStackOrder : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStackOrder)
+QTEST_APPLESS_MAIN(StackOrderTest)
 #include "test_stack_order.moc"

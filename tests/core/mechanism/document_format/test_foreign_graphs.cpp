@@ -52,7 +52,7 @@ std::string repeated(const std::string& text, std::size_t times) {
 
 }  // namespace
 
-class TestForeignGraphs : public QObject {
+class ForeignGraphsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -375,5 +375,5 @@ class TestForeignGraphs : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestForeignGraphs)
+QTEST_APPLESS_MAIN(ForeignGraphsTest)
 #include "test_foreign_graphs.moc"

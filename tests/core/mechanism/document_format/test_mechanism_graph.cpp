@@ -42,7 +42,7 @@ std::string throughGraphviz(const std::string& dot) {
 
 }  // namespace
 
-class TestMechanismGraph : public QObject {
+class MechanismGraphTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -169,5 +169,5 @@ class TestMechanismGraph : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMechanismGraph)
+QTEST_APPLESS_MAIN(MechanismGraphTest)
 #include "test_mechanism_graph.moc"

@@ -8,7 +8,7 @@ using namespace geargraph;
 using namespace geargraph::test;
 
 /// One row a fault: the document with one thing changed, and every diagnostic that it may give.
-class TestMechanismReader : public QObject {
+class MechanismReaderTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -27,7 +27,7 @@ class TestMechanismReader : public QObject {
   void largeFiles_areReadInReasonableTime();
 };
 
-void TestMechanismReader::oneFault_givesOneDiagnostic_data() {
+void MechanismReaderTest::oneFault_givesOneDiagnostic_data() {
   QTest::addColumn<QString>("from");
   QTest::addColumn<QString>("to");
   QTest::addColumn<QString>("expected");
@@ -39,7 +39,7 @@ void TestMechanismReader::oneFault_givesOneDiagnostic_data() {
     fault(broken.name, broken.from, broken.to, broken.expected);
 }
 
-void TestMechanismReader::oneFault_givesOneDiagnostic() {
+void MechanismReaderTest::oneFault_givesOneDiagnostic() {
   QFETCH(QString, from);
   QFETCH(QString, to);
   QFETCH(QString, expected);
@@ -47,7 +47,7 @@ void TestMechanismReader::oneFault_givesOneDiagnostic() {
   QCOMPARE(QString::fromStdString(diagnosticsFor(text)), expected);
 }
 
-void TestMechanismReader::allProblemsAreReportedTogether_inTheOrderOfTheFile() {
+void MechanismReaderTest::allProblemsAreReportedTogether_inTheOrderOfTheFile() {
   std::string text = with(kEverything, "\"stage\"", "17");
   text = with(text, "\"axis\": \"p\"", "\"axis\": \"q\"");
   text = with(text, "\"tailTeeth\": 20", "\"tailTeeth\": \"20\"");
@@ -59,7 +59,7 @@ void TestMechanismReader::allProblemsAreReportedTogether_inTheOrderOfTheFile() {
                        "self-joint /couplings/1/links/1 [couplings:C] [links:sun]; schema /view/grid/zoom"));
 }
 
-void TestMechanismReader::syntaxErrors_sayLineAndColumn() {
+void MechanismReaderTest::syntaxErrors_sayLineAndColumn() {
   const auto place = [](const std::string& text) {
     const auto read = readMechanism(text);
     if (read || read.error().size() != 1 || read.error()[0].code != Code::syntax)
@@ -87,7 +87,7 @@ void TestMechanismReader::syntaxErrors_sayLineAndColumn() {
   QCOMPARE(place(std::string("{\"a\": \"\0\"}", 10)).substr(0, 4), std::string("1:8 "));
 }
 
-void TestMechanismReader::schemaErrors_sayPointerAndWhatWasExpectedAndFound() {
+void MechanismReaderTest::schemaErrors_sayPointerAndWhatWasExpectedAndFound() {
   const auto message = [](const std::string& from, const std::string& to) {
     return readMechanism(with(kEverything, from, to)).error().at(0).message;
   };
@@ -106,13 +106,13 @@ void TestMechanismReader::schemaErrors_sayPointerAndWhatWasExpectedAndFound() {
                   "string \"ΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓ...."));
 }
 
-void TestMechanismReader::diagnostics_knowTheirPlaceInTheFile() {
+void MechanismReaderTest::diagnostics_knowTheirPlaceInTheFile() {
   const auto read = readMechanism(with(kEverything, "\"axis\": \"p\"", "\"axis\": \"q\""));
   QCOMPARE(read.error().at(0).line, 10);
   QCOMPARE(read.error().at(0).column, 56);
 }
 
-void TestMechanismReader::treeFaults_areForTheEditorToFix_data() {
+void MechanismReaderTest::treeFaults_areForTheEditorToFix_data() {
   QTest::addColumn<QString>("from");
   QTest::addColumn<QString>("to");
   QTest::addColumn<QString>("expected");
@@ -130,7 +130,7 @@ void TestMechanismReader::treeFaults_areForTheEditorToFix_data() {
                                      << "turning-loop  [turningJoints:8] [turningJoints:6]";
 }
 
-void TestMechanismReader::treeFaults_areForTheEditorToFix() {
+void MechanismReaderTest::treeFaults_areForTheEditorToFix() {
   QFETCH(QString, from);
   QFETCH(QString, to);
   QFETCH(QString, expected);
@@ -145,7 +145,7 @@ void TestMechanismReader::treeFaults_areForTheEditorToFix() {
 }
 
 /// A chain of links, and as many joints again from the ground to its far half.
-void TestMechanismReader::manyLongLoops_areAllReported() {
+void MechanismReaderTest::manyLongLoops_areAllReported() {
   Mechanism mechanism = emptyMechanism();
   mechanism.links.clear();
   constexpr int kLinks = 40'000;
@@ -167,7 +167,7 @@ void TestMechanismReader::manyLongLoops_areAllReported() {
   QVERIFY(diagnostics.back().detail == Detail::turningCycle);
 }
 
-void TestMechanismReader::listsMayBeLeftOut_whereNothingNeedsThem() {
+void MechanismReaderTest::listsMayBeLeftOut_whereNothingNeedsThem() {
   QCOMPARE(diagnosticsFor(R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}]})"), std::string());
   QCOMPARE(diagnosticsFor(R"({"format": "geargraph", "version": 1, "links": []})"),
            std::string("schema /links"));
@@ -175,7 +175,7 @@ void TestMechanismReader::listsMayBeLeftOut_whereNothingNeedsThem() {
   QCOMPARE(diagnosticsFor("\xEF\xBB\xBF" + kEverything), std::string());
 }
 
-void TestMechanismReader::limits_areRejected() {
+void MechanismReaderTest::limits_areRejected() {
   const std::string deep(65, '[');
   QCOMPARE(diagnosticsFor(deep), std::string("schema "));
   QCOMPARE(readMechanism(deep).error().at(0).column, 65);
@@ -193,7 +193,7 @@ void TestMechanismReader::limits_areRejected() {
            std::string("schema /view/grid"));
 }
 
-void TestMechanismReader::limits_areInclusive() {
+void MechanismReaderTest::limits_areInclusive() {
   std::string name;
   for (int i = 0; i < 1'000; ++i) name += "θ";
   QCOMPARE(diagnosticsFor(with(kEverything, "\"stage\"", '"' + name + '"')), std::string());
@@ -210,7 +210,7 @@ void TestMechanismReader::limits_areInclusive() {
            std::string());
 }
 
-void TestMechanismReader::largeFiles_areReadInReasonableTime() {
+void MechanismReaderTest::largeFiles_areReadInReasonableTime() {
   // Every joint names an axis that does not exist, and every wheel one link: nothing may be quadratic.
   std::string text =
       R"({"format": "geargraph", "version": 1, "links": [{"id": 0}], "axes": [], "turningJoints": [)";
@@ -223,5 +223,5 @@ void TestMechanismReader::largeFiles_areReadInReasonableTime() {
   QCOMPARE(read.error().back().line, 50'000);
 }
 
-QTEST_APPLESS_MAIN(TestMechanismReader)
+QTEST_APPLESS_MAIN(MechanismReaderTest)
 #include "test_mechanism_reader.moc"

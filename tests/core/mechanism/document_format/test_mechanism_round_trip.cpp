@@ -8,7 +8,7 @@
 using namespace geargraph;
 using namespace geargraph::test;
 
-class TestMechanismRoundTrip : public QObject {
+class MechanismRoundTripTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -36,7 +36,7 @@ using NodePlaces = std::map<LinkId, CanvasPoint>;
 
 }  // namespace
 
-void TestMechanismRoundTrip::everyMemberIsRead() {
+void MechanismRoundTripTest::everyMemberIsRead() {
   const Mechanism m = readText(kEverything);
   QCOMPARE(m.name, std::string("stage"));
   QCOMPARE(m.notes, std::string("free\ntext"));
@@ -98,7 +98,7 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(m.density->value() == 2700 && m.gravity->at(1).exact() == Rational(-981, 100));
 }
 
-void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {
+void MechanismRoundTripTest::writingAndReading_isTheIdentity() {
   const Mechanism mechanism = readText(kEverything);
   const std::string written = writeMechanism(mechanism);
   QVERIFY(readText(written) == mechanism);
@@ -107,7 +107,7 @@ void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {
 }
 
 /// Without what came with version 2 the document is one of version 1, whatever the file said.
-void TestMechanismRoundTrip::theVersionIsTheOldestThatIsNeeded() {
+void MechanismRoundTripTest::theVersionIsTheOldestThatIsNeeded() {
   Mechanism mechanism = readText(kEverything);
   QCOMPARE(fileVersionOf(mechanism), 2);
   mechanism.gearMeshes.resize(1);
@@ -136,7 +136,7 @@ void TestMechanismRoundTrip::theVersionIsTheOldestThatIsNeeded() {
   QCOMPARE(with(&GearMesh::efficiency), 1);
 }
 
-void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {
+void MechanismRoundTripTest::numbersKeepTheirSpelling_data() {
   QTest::addColumn<QString>("number");
   for (const char* number :
        {"0.10", "1e-3", "1E+02", "-0", "-0.0", "\"22/7\"", "\"-1/3\"", "\"+5\"", "\"007\"", "0",
@@ -145,7 +145,7 @@ void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {
   }
 }
 
-void TestMechanismRoundTrip::numbersKeepTheirSpelling() {
+void MechanismRoundTripTest::numbersKeepTheirSpelling() {
   QFETCH(QString, number);
   const std::string written = writeMechanism(readText(with(kEverything, "-1.50", number.toStdString())));
   QVERIFY2(written.find("\"offset\": " + number.toStdString() + "}") != std::string::npos, written.c_str());
@@ -154,7 +154,7 @@ void TestMechanismRoundTrip::numbersKeepTheirSpelling() {
   QVERIFY2(unknown.find("{\"zoom\": " + number.toStdString() + "}") != std::string::npos, unknown.c_str());
 }
 
-void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
+void MechanismRoundTripTest::unknownMembersOfEveryLevelSurvive() {
   std::string text = kEverything;
   int count = 0;
   for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
@@ -173,7 +173,7 @@ void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
   QVERIFY(readText(written) == readText(text));
 }
 
-void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
+void MechanismRoundTripTest::placesOfTheTtGraphSurvive() {
   const Mechanism before = example("robot");
   const std::vector<std::pair<LinkId, CanvasPoint>> places{{LinkId("4"), {130.5, -0.1}},
                                                            {LinkId("7"), {1.0 / 3, 2e5}}};
@@ -189,7 +189,7 @@ void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
   QCOMPARE(withTtNodesMoved(before, none).error()[0].code, Code::unknownId);
 }
 
-void TestMechanismRoundTrip::textsSurvive() {
+void MechanismRoundTripTest::textsSurvive() {
   Mechanism mechanism = emptyMechanism();
   mechanism.name = "Γ \"quoted\" \\ / \b\f\n\r\t\x01 \xF0\x9F\x98\x80";
   mechanism.notes = std::string("a\0b", 3);
@@ -199,13 +199,13 @@ void TestMechanismRoundTrip::textsSurvive() {
   QCOMPARE(readText(escaped).name, std::string("Γ\xF0\x9F\x98\x80/\b"));
 }
 
-void TestMechanismRoundTrip::theRobotsFile_isCanonical() {
+void MechanismRoundTripTest::theRobotsFile_isCanonical() {
   const std::string file = exampleText("robot");
   QCOMPARE(QString::fromStdString(writeMechanism(example("robot"))), QString::fromStdString(file));
 }
 
 /// Table 1: each pitch point is d/2 from the axis of each of its two gears, d = 2 N.
-void TestMechanismRoundTrip::theRobotsPitchPoints_lieOnBothPitchSurfaces() {
+void MechanismRoundTripTest::theRobotsPitchPoints_lieOnBothPitchSurfaces() {
   const Mechanism m = example("robot");
   const auto distanceFromAxis = [&](const NumberTriple& point, const char* id) {
     const Axis& axis = *m.find(AxisId(id));
@@ -229,5 +229,5 @@ void TestMechanismRoundTrip::theRobotsPitchPoints_lieOnBothPitchSurfaces() {
   }
 }
 
-QTEST_APPLESS_MAIN(TestMechanismRoundTrip)
+QTEST_APPLESS_MAIN(MechanismRoundTripTest)
 #include "test_mechanism_round_trip.moc"

@@ -47,7 +47,7 @@ const std::string kHeader = "element,id,tail,head,axis,tailTeeth,headTeeth,x,y\n
 
 }  // namespace
 
-class TestMechanismTable : public QObject {
+class MechanismTableTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -68,12 +68,12 @@ class TestMechanismTable : public QObject {
   void limitsAreStated();
 };
 
-void TestMechanismTable::everyExampleIsReadBack_data() {
+void MechanismTableTest::everyExampleIsReadBack_data() {
   QTest::addColumn<QString>("name");
   for (const std::string& name : exampleNames()) QTest::newRow(name.c_str()) << QString::fromStdString(name);
 }
 
-void TestMechanismTable::everyExampleIsReadBack() {
+void MechanismTableTest::everyExampleIsReadBack() {
   QFETCH(QString, name);
   const Mechanism mechanism = example(name.toStdString());
   const TablePart part = tablePart(mechanism);
@@ -88,7 +88,7 @@ void TestMechanismTable::everyExampleIsReadBack() {
   QCOMPARE(part.mechanism, without);
 }
 
-void TestMechanismTable::everyMemberIsReadBack() {
+void MechanismTableTest::everyMemberIsReadBack() {
   const Mechanism mechanism = everything();
   const Mechanism back = readTable(writeMechanismTable(mechanism));
   QCOMPARE(back, tablePart(mechanism).mechanism);
@@ -98,7 +98,7 @@ void TestMechanismTable::everyMemberIsReadBack() {
   QCOMPARE(back, without);
 }
 
-void TestMechanismTable::whatATableDoesNotHoldIsNamed() {
+void MechanismTableTest::whatATableDoesNotHoldIsNamed() {
   QCOMPARE(tablePart(everything()).lost,
            (std::vector<std::string>{"an attached 3D file",
                                      "the view (places in the drawings, camera of the 3D view)"}));
@@ -111,7 +111,7 @@ void TestMechanismTable::whatATableDoesNotHoldIsNamed() {
   QCOMPARE(part.mechanism, emptyMechanism());
 }
 
-void TestMechanismTable::aTableByHandIsAMechanism() {
+void MechanismTableTest::aTableByHandIsAMechanism() {
   const Mechanism mechanism = readTable(kPair);
   QCOMPARE(mechanism.n(), 2);
   QCOMPARE(mechanism.unit, std::string("mm"));
@@ -122,7 +122,7 @@ void TestMechanismTable::aTableByHandIsAMechanism() {
   QVERIFY(saved && *saved == mechanism);
 }
 
-void TestMechanismTable::rowsAndColumnsMayBeInAnyOrder() {
+void MechanismTableTest::rowsAndColumnsMayBeInAnyOrder() {
   QCOMPARE(readTable("headTeeth,tailTeeth,head,axis,tail,id,element,\n"
                      "30,20,2,,1,5,gearMesh,\n,,1,a,0,3,turningJoint,\n\n,,,,,,,\n,,2,b,0,4,turningJoint\n"
                      ",,,,,a,axis\n,,,,,b,axis\n,,,,,0,link\n,,,,,1,link\n,,,,,2,link\n"),
@@ -130,7 +130,7 @@ void TestMechanismTable::rowsAndColumnsMayBeInAnyOrder() {
                      "turningJoint,3,0,1,a\nturningJoint,4,0,2,b\ngearMesh,5,1,2,,20,30\n"));
 }
 
-void TestMechanismTable::semicolonsAllowDecimalCommas() {
+void MechanismTableTest::semicolonsAllowDecimalCommas() {
   const Mechanism mechanism = readTable("element;id;x;y;z\r\nlink;0\r\naxis;a;1,5;-0,25;1/3\r\n");
   QCOMPARE(mechanism.axes[0].point->at(0).text(), std::string("1.5"));
   QCOMPARE(mechanism.axes[0].point->at(1).text(), std::string("-0.25"));
@@ -138,7 +138,7 @@ void TestMechanismTable::semicolonsAllowDecimalCommas() {
   QCOMPARE(faults("element,id,x,y,z\nlink,0\naxis,a,\"1,5\",0,0\n"), QString("3:8 schema"));
 }
 
-void TestMechanismTable::noInputsAreNotTheSameAsNone() {
+void MechanismTableTest::noInputsAreNotTheSameAsNone() {
   for (const bool isStated : {true, false}) {
     Mechanism mechanism = emptyMechanism();
     if (isStated) mechanism.inputs.emplace();
@@ -147,7 +147,7 @@ void TestMechanismTable::noInputsAreNotTheSameAsNone() {
   }
 }
 
-void TestMechanismTable::textsSurvive() {
+void MechanismTableTest::textsSurvive() {
   Mechanism mechanism = emptyMechanism();
   mechanism.name = "=cmd|'/c calc'!A0";
   mechanism.notes = std::string(" a\0b,\"c\";\r\nd\re\t", 14);
@@ -164,7 +164,7 @@ void TestMechanismTable::textsSurvive() {
     QCOMPARE(splitTexts(joinedTexts({text + "x", text})).front(), text + "x");
 }
 
-void TestMechanismTable::numbersKeepTheirSpelling() {
+void MechanismTableTest::numbersKeepTheirSpelling() {
   for (const char* const number :
        {"0.10", "1e-3", "-0", "22/7", "-1/3", "+5", "007", "0.123456789012345678901234567890", "5e-4000"}) {
     Mechanism mechanism = emptyMechanism();
@@ -173,7 +173,7 @@ void TestMechanismTable::numbersKeepTheirSpelling() {
   }
 }
 
-void TestMechanismTable::faultsHaveLineAndColumn_data() {
+void MechanismTableTest::faultsHaveLineAndColumn_data() {
   QTest::addColumn<QByteArray>("table");
   QTest::addColumn<QString>("found");
   const auto row = [](const char* name, const std::string& table, const char* found) {
@@ -218,12 +218,12 @@ void TestMechanismTable::faultsHaveLineAndColumn_data() {
   row("pinned", "element,id,pinned\nlink,0,true\n", "2:8 schema");
 }
 
-void TestMechanismTable::faultsHaveLineAndColumn() {
+void MechanismTableTest::faultsHaveLineAndColumn() {
   QFETCH(QByteArray, table);
   QTEST(faults(table.toStdString()), "found");
 }
 
-void TestMechanismTable::faultsNameColumnAndElement() {
+void MechanismTableTest::faultsNameColumnAndElement() {
   const auto found = readMechanismTable(kHeader + "gearMesh,5,1,2,,many,30\n").error();
   QCOMPARE(found.size(), std::size_t{1});
   QCOMPARE(found[0].message, std::string("The column \"tailTeeth\" has \"many\"; expected a whole number "
@@ -232,7 +232,7 @@ void TestMechanismTable::faultsNameColumnAndElement() {
   QVERIFY(found[0].pointer.empty());
 }
 
-void TestMechanismTable::atMostAHundredFaultsAreListed() {
+void MechanismTableTest::atMostAHundredFaultsAreListed() {
   std::string table = "element\n";
   for (int i = 0; i < 100'000; ++i) table += "spring\n";
   const auto found = readMechanismTable(table).error();
@@ -244,7 +244,7 @@ void TestMechanismTable::atMostAHundredFaultsAreListed() {
   QCOMPARE(readMechanismTable(copies).error().back().code, Code::schema);
 }
 
-void TestMechanismTable::limitsAreStated() {
+void MechanismTableTest::limitsAreStated() {
   std::string links = "element,id\n";
   for (int i = 0; i <= 100'000; ++i) links += "link," + std::to_string(i) + '\n';
   QCOMPARE(faults(links), QString("100002:1 schema"));
@@ -256,5 +256,5 @@ void TestMechanismTable::limitsAreStated() {
   QCOMPARE(readMechanismTable(std::string(kLargestFile + 1, 'x')).error()[0].code, Code::schema);
 }
 
-QTEST_APPLESS_MAIN(TestMechanismTable)
+QTEST_APPLESS_MAIN(MechanismTableTest)
 #include "test_mechanism_table.moc"

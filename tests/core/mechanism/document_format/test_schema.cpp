@@ -45,7 +45,7 @@ const DocumentSchema& schema() {
 }  // namespace
 
 /// The published schema and the reader agree: what the program writes fits, what the reader rejects does not.
-class TestSchema : public QObject {
+class SchemaTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -168,5 +168,5 @@ class TestSchema : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSchema)
+QTEST_APPLESS_MAIN(SchemaTest)
 #include "test_schema.moc"

@@ -9,7 +9,7 @@ using namespace geargraph::test;
 
 /// Members that are no part of the format: kept, reported by name, and rejected where they are common
 /// misspellings.
-class TestUnknownMembers : public QObject {
+class UnknownMembersTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -116,5 +116,5 @@ class TestUnknownMembers : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestUnknownMembers)
+QTEST_GUILESS_MAIN(UnknownMembersTest)
 #include "test_unknown_members.moc"

@@ -11,7 +11,7 @@ using namespace geargraph;
 using namespace geargraph::test;
 
 /// The members of the document that only views use: the camera and the 3D files of links.
-class TestViewMembers : public QObject {
+class ViewMembersTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -79,5 +79,5 @@ class TestViewMembers : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestViewMembers)
+QTEST_APPLESS_MAIN(ViewMembersTest)
 #include "test_view_members.moc"

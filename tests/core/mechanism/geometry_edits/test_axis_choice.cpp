@@ -52,7 +52,7 @@ bool isAlong(const Vector3& direction, std::size_t component) {
 
 }  // namespace
 
-class TestAxisChoice : public QObject {
+class AxisChoiceTest : public QObject {
   Q_OBJECT
 
   static void checkDifferential(const PlacedMechanism& placed) {
@@ -142,5 +142,5 @@ class TestAxisChoice : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAxisChoice)
+QTEST_APPLESS_MAIN(AxisChoiceTest)
 #include "test_axis_choice.moc"

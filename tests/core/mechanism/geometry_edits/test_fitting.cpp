@@ -16,7 +16,7 @@
 using namespace geargraph;
 using namespace geargraph::test;
 
-class TestFitting : public QObject {
+class FittingTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -363,5 +363,5 @@ class TestFitting : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFitting)
+QTEST_APPLESS_MAIN(FittingTest)
 #include "test_fitting.moc"

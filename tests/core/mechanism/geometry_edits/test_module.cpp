@@ -51,7 +51,7 @@ Mechanism reverted() {
 }  // namespace
 
 /// Modules that are typed, and modules that are pinned.
-class TestModule : public QObject {
+class ModuleTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -175,5 +175,5 @@ class TestModule : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestModule)
+QTEST_APPLESS_MAIN(ModuleTest)
 #include "test_module.moc"

@@ -39,7 +39,7 @@ ExactVector3 placeOf(const Mechanism& mechanism, std::size_t axis) {
 }  // namespace
 
 /// What stays where it is: what somebody has pinned, and what no new mesh reaches.
-class TestPins : public QObject {
+class PinsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -165,5 +165,5 @@ class TestPins : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPins)
+QTEST_APPLESS_MAIN(PinsTest)
 #include "test_pins.moc"

@@ -42,7 +42,7 @@ Mechanism without(const Mechanism& mechanism, const ElementId& element) {
 
 }  // namespace
 
-class TestLoadEdits : public QObject {
+class LoadEditsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -167,5 +167,5 @@ class TestLoadEdits : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLoadEdits)
+QTEST_APPLESS_MAIN(LoadEditsTest)
 #include "test_load_edits.moc"

@@ -25,7 +25,7 @@ std::vector<std::string> idsOf(const Mechanism& mechanism) {
 
 }  // namespace
 
-class TestNotes : public QObject {
+class NotesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -113,5 +113,5 @@ class TestNotes : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestNotes)
+QTEST_APPLESS_MAIN(NotesTest)
 #include "test_notes.moc"

@@ -6,7 +6,7 @@
 using namespace geargraph;
 
 /// Numbers with the units that people type them in.
-class TestQuantity : public QObject {
+class QuantityTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -138,5 +138,5 @@ class TestQuantity : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestQuantity)
+QTEST_GUILESS_MAIN(QuantityTest)
 #include "test_quantity.moc"

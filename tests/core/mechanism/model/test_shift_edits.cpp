@@ -8,7 +8,7 @@
 using namespace geargraph;
 using namespace geargraph::test;
 
-class TestShiftEdits : public QObject {
+class ShiftEditsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -91,5 +91,5 @@ class TestShiftEdits : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestShiftEdits)
+QTEST_APPLESS_MAIN(ShiftEditsTest)
 #include "test_shift_edits.moc"

@@ -16,7 +16,7 @@ double distance(const Placement& placement, int a, int b) {
 
 }  // namespace
 
-class TestAxisPlacer : public QObject {
+class AxisPlacerTest : public QObject {
   Q_OBJECT
  private slots:
   void parallelAxesStandAsFarApartAsTheTeethAsk() {
@@ -150,5 +150,5 @@ class TestAxisPlacer : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAxisPlacer)
+QTEST_APPLESS_MAIN(AxisPlacerTest)
 #include "test_axis_placer.moc"

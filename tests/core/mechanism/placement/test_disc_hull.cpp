@@ -17,7 +17,7 @@ DiscHull cylinder(const Vector3& from, const Vector3& axis, double length, doubl
 
 }  // namespace
 
-class TestDiscHull : public QObject {
+class DiscHullTest : public QObject {
   Q_OBJECT
  private slots:
   /// A long cylinder along z at the origin, and one along x at a height: their distance is known.
@@ -82,5 +82,5 @@ class TestDiscHull : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDiscHull)
+QTEST_APPLESS_MAIN(DiscHullTest)
 #include "test_disc_hull.moc"

@@ -20,7 +20,7 @@ Vector3 velocityAt(const AxisLine& line, double speed, const Vector3& point) {
 
 }  // namespace
 
-class TestPlacement : public QObject {
+class PlacementTest : public QObject {
   Q_OBJECT
  private slots:
   void theRobotsCarriersAreThoseOfThePaper() {
@@ -159,5 +159,5 @@ class TestPlacement : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPlacement)
+QTEST_APPLESS_MAIN(PlacementTest)
 #include "test_placement.moc"

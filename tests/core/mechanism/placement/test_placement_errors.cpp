@@ -37,7 +37,7 @@ const std::vector<ElementId> kMesh{MeshId("5"), LinkId("1"), LinkId("2")};
 
 }  // namespace
 
-class TestPlacementErrors : public QObject {
+class PlacementErrorsTest : public QObject {
   Q_OBJECT
  private slots:
   void aFittingPairHasNoDiagnostics() {
@@ -175,5 +175,5 @@ class TestPlacementErrors : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPlacementErrors)
+QTEST_APPLESS_MAIN(PlacementErrorsTest)
 #include "test_placement_errors.moc"

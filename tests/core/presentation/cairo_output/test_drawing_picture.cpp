@@ -38,7 +38,7 @@ QString shownText(const QByteArray& contents) {
 
 }  // namespace
 
-class TestDrawingPicture : public QObject {
+class DrawingPictureTest : public QObject {
   Q_OBJECT
  private slots:
   void pdfIsWholeAndItsTextIsText() {
@@ -117,5 +117,5 @@ class TestDrawingPicture : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestDrawingPicture)
+QTEST_GUILESS_MAIN(DrawingPictureTest)
 #include "test_drawing_picture.moc"

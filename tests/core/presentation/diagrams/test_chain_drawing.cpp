@@ -41,7 +41,7 @@ int countedCrossings(const Chain& chain, const std::vector<CanvasPoint>& at) {
 
 }  // namespace
 
-class TestChainDrawing : public QObject {
+class ChainDrawingTest : public QObject {
   Q_OBJECT
 
   std::map<ChainNumber, ChainLayout> layouts;  // of the whole atlas
@@ -122,6 +122,6 @@ class TestChainDrawing : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestChainDrawing)
+QTEST_APPLESS_MAIN(ChainDrawingTest)
 
 #include "test_chain_drawing.moc"

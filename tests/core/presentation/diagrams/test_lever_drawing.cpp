@@ -102,7 +102,7 @@ LeverLayout layoutOf(const SnapshotPtr& snapshot) {
 
 }  // namespace
 
-class TestLeverDrawing : public QObject {
+class LeverDrawingTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -410,5 +410,5 @@ class TestLeverDrawing : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLeverDrawing)
+QTEST_APPLESS_MAIN(LeverDrawingTest)
 #include "test_lever_drawing.moc"

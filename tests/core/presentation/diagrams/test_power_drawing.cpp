@@ -180,7 +180,7 @@ QString overlaps(const DisplayList& bands, const DisplayList& drawing) {
 
 }  // namespace
 
-class TestPowerDrawing : public QObject {
+class PowerDrawingTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -538,5 +538,5 @@ class TestPowerDrawing : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPowerDrawing)
+QTEST_APPLESS_MAIN(PowerDrawingTest)
 #include "test_power_drawing.moc"

@@ -126,7 +126,7 @@ Xml parsed(const std::string& svg) {
 
 }  // namespace
 
-class TestDigraphDrawing : public QObject {
+class DigraphDrawingTest : public QObject {
   Q_OBJECT
  private slots:
   void robotIsDrawnAsInTheGoldenText() {
@@ -441,5 +441,5 @@ class TestDigraphDrawing : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestDigraphDrawing)
+QTEST_GUILESS_MAIN(DigraphDrawingTest)
 #include "test_digraph_drawing.moc"

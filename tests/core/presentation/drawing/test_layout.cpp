@@ -27,7 +27,7 @@ double closest(const NodePositions& positions) {
 
 }  // namespace
 
-class TestLayout : public QObject {
+class LayoutTest : public QObject {
   Q_OBJECT
  private slots:
   void groundAloneStandsAtTheOrigin() {
@@ -171,5 +171,5 @@ class TestLayout : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestLayout)
+QTEST_GUILESS_MAIN(LayoutTest)
 #include "test_layout.moc"

@@ -28,7 +28,7 @@ std::vector<std::string> textsOf(const DisplayList& list, const ElementId& eleme
 
 }  // namespace
 
-class TestNoteMarks : public QObject {
+class NoteMarksTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -85,5 +85,5 @@ class TestNoteMarks : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestNoteMarks)
+QTEST_APPLESS_MAIN(NoteMarksTest)
 #include "test_note_marks.moc"

@@ -26,7 +26,7 @@ double contrast(Color a, Color b) {
 
 }  // namespace
 
-class TestPalette : public QObject {
+class PaletteTest : public QObject {
   Q_OBJECT
  private slots:
   /// WCAG 2.2: 4.5 for text, 3 for what makes a control visible.
@@ -73,5 +73,5 @@ class TestPalette : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPalette)
+QTEST_GUILESS_MAIN(PaletteTest)
 #include "test_palette.moc"

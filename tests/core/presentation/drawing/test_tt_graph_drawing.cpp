@@ -53,7 +53,7 @@ void addExamples() {
 
 }  // namespace
 
-class TestTtGraphDrawing : public QObject {
+class TtGraphDrawingTest : public QObject {
   Q_OBJECT
  private slots:
   void branchesOfTheRobotAreThoseOfFigure5() {
@@ -199,5 +199,5 @@ class TestTtGraphDrawing : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestTtGraphDrawing)
+QTEST_GUILESS_MAIN(TtGraphDrawingTest)
 #include "test_tt_graph_drawing.moc"

@@ -60,7 +60,7 @@ double signedArea(const std::vector<Vector2d>& points) {
 
 }  // namespace
 
-class TestDxf : public QObject {
+class DxfTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -163,5 +163,5 @@ class TestDxf : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDxf)
+QTEST_APPLESS_MAIN(DxfTest)
 #include "test_dxf.moc"

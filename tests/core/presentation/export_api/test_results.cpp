@@ -37,7 +37,7 @@ ExportTrain trainOf(Mechanism mechanism) {
 
 }  // namespace
 
-class TestResults : public QObject {
+class ResultsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -154,5 +154,5 @@ class TestResults : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestResults)
+QTEST_GUILESS_MAIN(ResultsTest)
 #include "test_results.moc"

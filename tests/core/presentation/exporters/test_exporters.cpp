@@ -104,7 +104,7 @@ OptionValues optionsOf(std::initializer_list<std::pair<const char*, const char*>
 
 }  // namespace
 
-class TestExporters : public QObject {
+class ExportersTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -321,5 +321,5 @@ class TestExporters : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestExporters)
+QTEST_GUILESS_MAIN(ExportersTest)
 #include "test_exporters.moc"

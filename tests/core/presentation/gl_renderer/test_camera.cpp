@@ -37,7 +37,7 @@ void eachCamera(Visit visit) {
 
 }  // namespace
 
-class TestCamera : public QObject {
+class CameraTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -172,5 +172,5 @@ class TestCamera : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCamera)
+QTEST_APPLESS_MAIN(CameraTest)
 #include "test_camera.moc"

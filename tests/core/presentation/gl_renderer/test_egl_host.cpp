@@ -20,7 +20,7 @@ Scene wheels(int count, unsigned colour) {
 
 }  // namespace
 
-class TestEglHost : public QObject {
+class EglHostTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -60,5 +60,5 @@ class TestEglHost : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestEglHost)
+QTEST_APPLESS_MAIN(EglHostTest)
 #include "test_egl_host.moc"

@@ -91,7 +91,7 @@ std::optional<Hit> traced(const Scene& scene, const Ray& ray) {
 
 }  // namespace
 
-class TestPicture : public QObject {
+class PictureTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -390,5 +390,5 @@ class TestPicture : public QObject {
   std::unique_ptr<EglHost> m_host;
 };
 
-QTEST_APPLESS_MAIN(TestPicture)
+QTEST_APPLESS_MAIN(PictureTest)
 #include "test_picture.moc"

@@ -31,7 +31,7 @@ Paint paintOf(const std::array<std::uint8_t, 4>& pixel) {
 
 }  // namespace
 
-class TestSection : public QObject {
+class SectionTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -171,5 +171,5 @@ class TestSection : public QObject {
 
 }  // namespace geargraph
 
-QTEST_GUILESS_MAIN(geargraph::TestSection)
+QTEST_GUILESS_MAIN(geargraph::SectionTest)
 #include "test_section.moc"

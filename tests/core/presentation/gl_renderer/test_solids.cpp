@@ -8,7 +8,7 @@
 
 using namespace geargraph;
 
-class TestSolids : public QObject {
+class SolidsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -79,5 +79,5 @@ class TestSolids : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSolids)
+QTEST_APPLESS_MAIN(SolidsTest)
 #include "test_solids.moc"

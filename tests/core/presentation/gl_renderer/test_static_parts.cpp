@@ -49,7 +49,7 @@ Scene rowScene() {
 
 }  // namespace
 
-class TestStaticParts : public QObject {
+class StaticPartsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -175,5 +175,5 @@ class TestStaticParts : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStaticParts)
+QTEST_APPLESS_MAIN(StaticPartsTest)
 #include "test_static_parts.moc"

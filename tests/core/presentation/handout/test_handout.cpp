@@ -128,7 +128,7 @@ QStringList textsIn(const QString& script) {
 
 }  // namespace
 
-class TestHandout : public QObject {
+class HandoutTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -508,5 +508,5 @@ class TestHandout : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestHandout)
+QTEST_APPLESS_MAIN(geargraph::HandoutTest)
 #include "test_handout.moc"

@@ -90,7 +90,7 @@ const LabelPlate* plateOf(const Shown& shown, const std::vector<LabelPlate>& pla
 
 }  // namespace
 
-class TestLabels : public QObject {
+class LabelsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -245,5 +245,5 @@ class TestLabels : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestLabels)
+QTEST_GUILESS_MAIN(LabelsTest)
 #include "test_labels.moc"

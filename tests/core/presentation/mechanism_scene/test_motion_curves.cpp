@@ -29,7 +29,7 @@ double spread(const MotionCurve& each) {
 
 }  // namespace
 
-class TestMotionCurves : public QObject {
+class MotionCurvesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -140,5 +140,5 @@ class TestMotionCurves : public QObject {
 
 }  // namespace geargraph
 
-QTEST_GUILESS_MAIN(geargraph::TestMotionCurves)
+QTEST_GUILESS_MAIN(geargraph::MotionCurvesTest)
 #include "test_motion_curves.moc"

@@ -115,7 +115,7 @@ int coveredEdge(const Image& image) {
 
 }  // namespace
 
-class TestRenderings : public QObject {
+class RenderingsTest : public QObject {
   Q_OBJECT
 
   const QTemporaryDir folder;
@@ -300,5 +300,5 @@ class TestRenderings : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRenderings)
+QTEST_GUILESS_MAIN(RenderingsTest)
 #include "test_renderings.moc"

@@ -8,7 +8,7 @@
 using namespace geargraph;
 
 /// Which files a document's 3D files may be.
-class TestShapeCache : public QObject {
+class ShapeCacheTest : public QObject {
   Q_OBJECT
 
   const QTemporaryDir disk;
@@ -50,5 +50,5 @@ class TestShapeCache : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestShapeCache)
+QTEST_GUILESS_MAIN(ShapeCacheTest)
 #include "test_shape_cache.moc"

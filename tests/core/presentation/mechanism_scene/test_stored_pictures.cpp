@@ -61,7 +61,7 @@ int differing(const QImage& a, const QImage& b) {
 
 /// Pictures against those in pictures/, which somebody has looked at. GEARGRAPH_UPDATE_GOLDEN=1 writes them
 /// anew.
-class TestStoredPictures : public QObject {
+class StoredPicturesTest : public QObject {
   Q_OBJECT
 
   std::unique_ptr<EglHost> m_host;
@@ -145,5 +145,5 @@ class TestStoredPictures : public QObject {
 
 }  // namespace geargraph
 
-QTEST_GUILESS_MAIN(geargraph::TestStoredPictures)
+QTEST_GUILESS_MAIN(geargraph::StoredPicturesTest)
 #include "test_stored_pictures.moc"

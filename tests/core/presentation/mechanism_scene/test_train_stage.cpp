@@ -77,7 +77,7 @@ std::vector<Mechanism> trains() {
 
 }  // namespace
 
-class TestTrainStage : public QObject {
+class TrainStageTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -526,5 +526,5 @@ class TestTrainStage : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestTrainStage)
+QTEST_APPLESS_MAIN(geargraph::TrainStageTest)
 #include "test_train_stage.moc"

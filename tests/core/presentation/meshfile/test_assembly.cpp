@@ -50,7 +50,7 @@ QStringList entries(const QString& folder) {
 
 }  // namespace
 
-class TestAssembly : public QObject {
+class AssemblyTest : public QObject {
   Q_OBJECT
  private slots:
   void theIndexHasTheMembersOfTheManual() {
@@ -189,5 +189,5 @@ class TestAssembly : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAssembly)
+QTEST_APPLESS_MAIN(AssemblyTest)
 #include "test_assembly.moc"

@@ -98,7 +98,7 @@ AssemblyMeasurements measurements(const Assembly& assembly, const QString& turne
 
 }  // namespace
 
-class TestAssemblyCheck : public QObject {
+class AssemblyCheckTest : public QObject {
   Q_OBJECT
  private slots:
   void goodPairsPass_data() {
@@ -159,5 +159,5 @@ class TestAssemblyCheck : public QObject {
   static Assembly pair(int which) { return which == 0 ? spurPair() : which == 1 ? ringPair() : bevelPair(); }
 };
 
-QTEST_APPLESS_MAIN(TestAssemblyCheck)
+QTEST_APPLESS_MAIN(AssemblyCheckTest)
 #include "test_assembly_check.moc"

@@ -48,7 +48,7 @@ MeshScene cubeScene() {
 }  // namespace
 
 /// Files from elsewhere: those that are fine, and those that are made to hurt.
-class TestForeignMesh : public QObject {
+class ForeignMeshTest : public QObject {
   Q_OBJECT
 
   const QTemporaryDir folder;
@@ -283,5 +283,5 @@ class TestForeignMesh : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestForeignMesh)
+QTEST_GUILESS_MAIN(ForeignMeshTest)
 #include "test_foreign_mesh.moc"

@@ -63,7 +63,7 @@ Robot paperRobot() {
 
 }  // namespace
 
-class TestLinkScene : public QObject {
+class LinkSceneTest : public QObject {
   Q_OBJECT
  private slots:
   void aPartIsWhereForwardKinematicsPutsIt() {
@@ -202,5 +202,5 @@ class TestLinkScene : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLinkScene)
+QTEST_APPLESS_MAIN(LinkSceneTest)
 #include "test_link_scene.moc"

@@ -41,7 +41,7 @@ const MeshNode* nodeNamed(const MeshScene& scene, const std::string& name) {
 
 }  // namespace
 
-class TestMeshFiles : public QObject {
+class MeshFilesTest : public QObject {
   Q_OBJECT
  private slots:
   void everyFormatBringsTheSolidsBack_data() { addFormats(); }
@@ -286,5 +286,5 @@ class TestMeshFiles : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMeshFiles)
+QTEST_APPLESS_MAIN(MeshFilesTest)
 #include "test_mesh_files.moc"

@@ -22,7 +22,7 @@ Solid cube(float x, float y, float z) {
 
 }  // namespace
 
-class TestMeshScene : public QObject {
+class MeshSceneTest : public QObject {
   Q_OBJECT
  private slots:
   void splitVerticesWeldToAClosedMesh() {
@@ -133,5 +133,5 @@ class TestMeshScene : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMeshScene)
+QTEST_APPLESS_MAIN(MeshSceneTest)
 #include "test_mesh_scene.moc"

@@ -14,7 +14,7 @@
 using namespace geargraph;
 using namespace geargraph::test;
 
-class TestMeshWriting : public QObject {
+class MeshWritingTest : public QObject {
   Q_OBJECT
  private slots:
   void theFileHoldsTheEncodedBytes_data() { addFormats(); }
@@ -155,5 +155,5 @@ class TestMeshWriting : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMeshWriting)
+QTEST_APPLESS_MAIN(MeshWritingTest)
 #include "test_mesh_writing.moc"

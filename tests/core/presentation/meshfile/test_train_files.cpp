@@ -77,7 +77,7 @@ AssemblyMeasurements measured(const Assembly& assembly, const QString& turned = 
 
 }  // namespace
 
-class TestTrainFiles : public QObject {
+class TrainFilesTest : public QObject {
   Q_OBJECT
  private slots:
   void teethMeshInTheFramesOfTheMotion_data() {
@@ -256,5 +256,5 @@ class TestTrainFiles : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTrainFiles)
+QTEST_APPLESS_MAIN(TrainFilesTest)
 #include "test_train_files.moc"

@@ -5,7 +5,7 @@
 
 using namespace geargraph;
 
-class TestTurnKeys : public QObject {
+class TurnKeysTest : public QObject {
   Q_OBJECT
  private slots:
   void turnsCloseToTheLastBit() {
@@ -55,5 +55,5 @@ class TestTurnKeys : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTurnKeys)
+QTEST_APPLESS_MAIN(TurnKeysTest)
 #include "test_turn_keys.moc"

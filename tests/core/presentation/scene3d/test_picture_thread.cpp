@@ -45,7 +45,7 @@ struct Studio {
 
 }  // namespace
 
-class TestPictureThread : public QObject {
+class PictureThreadTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -201,5 +201,5 @@ class TestPictureThread : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestPictureThread)
+QTEST_APPLESS_MAIN(geargraph::PictureThreadTest)
 #include "test_picture_thread.moc"

@@ -40,7 +40,7 @@ std::shared_ptr<MechanismScene> rowStage() {
 
 }  // namespace
 
-class TestStageMotion : public QObject {
+class StageMotionTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -146,5 +146,5 @@ class TestStageMotion : public QObject {
 
 }  // namespace geargraph
 
-QTEST_GUILESS_MAIN(geargraph::TestStageMotion)
+QTEST_GUILESS_MAIN(geargraph::StageMotionTest)
 #include "test_stage_motion.moc"

@@ -133,7 +133,7 @@ struct Roads {
 }  // namespace
 
 /// Where arms may run, what that costs them, and the cheapest way.
-class TestArmSearch : public QObject {
+class ArmSearchTest : public QObject {
   Q_OBJECT
  private slots:
   void lanesComeOneByOneAsAllAtOnce() {
@@ -221,5 +221,5 @@ class TestArmSearch : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestArmSearch)
+QTEST_APPLESS_MAIN(ArmSearchTest)
 #include "test_arm_search.moc"

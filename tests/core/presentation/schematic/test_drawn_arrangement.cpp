@@ -143,7 +143,7 @@ std::optional<CanvasPoint> barsOf(const SchematicGeometry& drawing, const Elemen
 }  // namespace
 
 /// The machine in the schematic is the machine in 3D.
-class TestDrawnArrangement : public QObject {
+class DrawnArrangementTest : public QObject {
   Q_OBJECT
  private slots:
   void orderAlongEachAxisIsTheArrangements() {
@@ -284,5 +284,5 @@ class TestDrawnArrangement : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDrawnArrangement)
+QTEST_APPLESS_MAIN(DrawnArrangementTest)
 #include "test_drawn_arrangement.moc"

@@ -135,7 +135,7 @@ bool says(const SchematicGeometry& geometry, const QString& words) {
 }  // namespace
 
 /// The drawing as a whole.
-class TestSchematic : public QObject {
+class SchematicTest : public QObject {
   Q_OBJECT
  private slots:
   void examplesAreDrawnAsInTheGoldenText_data() {
@@ -371,5 +371,5 @@ class TestSchematic : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSchematic)
+QTEST_APPLESS_MAIN(SchematicTest)
 #include "test_schematic.moc"

@@ -56,7 +56,7 @@ std::vector<LinkLine> box(bool open) {
 }  // namespace
 
 /// The steps of the drawing one by one.
-class TestSchematicParts : public QObject {
+class SchematicPartsTest : public QObject {
   Q_OBJECT
  private slots:
   void radiiThatFitStayAsTheyAre() {
@@ -248,5 +248,5 @@ class TestSchematicParts : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSchematicParts)
+QTEST_APPLESS_MAIN(SchematicPartsTest)
 #include "test_schematic_parts.moc"

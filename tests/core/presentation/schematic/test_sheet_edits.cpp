@@ -40,7 +40,7 @@ QString triple(const std::optional<NumberTriple>& numbers) {
 }  // namespace
 
 /// What is drawn on the sheet becomes an ordinary document.
-class TestSheetEdits : public QObject {
+class SheetEditsTest : public QObject {
   Q_OBJECT
  private slots:
   void theFirstShaftLiesOnAnAxisThroughTheOrigin() {
@@ -121,5 +121,5 @@ class TestSheetEdits : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSheetEdits)
+QTEST_APPLESS_MAIN(SheetEditsTest)
 #include "test_sheet_edits.moc"

@@ -7,7 +7,7 @@
 
 using namespace geargraph;
 
-class TestSheetRims : public QObject {
+class SheetRimsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -64,5 +64,5 @@ class TestSheetRims : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSheetRims)
+QTEST_APPLESS_MAIN(SheetRimsTest)
 #include "test_sheet_rims.moc"

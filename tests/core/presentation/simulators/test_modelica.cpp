@@ -91,7 +91,7 @@ void check(Mechanism mechanism) {
 
 }  // namespace
 
-class TestModelica : public QObject {
+class ModelicaTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -139,5 +139,5 @@ class TestModelica : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestModelica)
+QTEST_APPLESS_MAIN(ModelicaTest)
 #include "test_modelica.moc"

@@ -55,7 +55,7 @@ std::vector<QXmlStreamAttributes> elements(const std::string& xml, const char* n
 
 }  // namespace
 
-class TestSimulators : public QObject {
+class SimulatorsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -235,5 +235,5 @@ class TestSimulators : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestSimulators)
+QTEST_APPLESS_MAIN(geargraph::SimulatorsTest)
 #include "test_simulators.moc"

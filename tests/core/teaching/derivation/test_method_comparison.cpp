@@ -27,7 +27,7 @@ void checkAgreement(const MethodComparison& comparison, const std::string& name)
 
 }  // namespace
 
-class TestMethodComparison : public QObject {
+class MethodComparisonTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -134,5 +134,5 @@ class TestMethodComparison : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestMethodComparison)
+QTEST_APPLESS_MAIN(geargraph::MethodComparisonTest)
 #include "test_method_comparison.moc"

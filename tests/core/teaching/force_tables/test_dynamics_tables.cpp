@@ -23,7 +23,7 @@ double valueAt(const ValueTable& table, std::size_t row, std::size_t column) {
 
 }  // namespace
 
-class TestDynamicsTables : public QObject {
+class DynamicsTablesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -102,5 +102,5 @@ class TestDynamicsTables : public QObject {
 
 }  // namespace geargraph
 
-QTEST_GUILESS_MAIN(geargraph::TestDynamicsTables)
+QTEST_GUILESS_MAIN(geargraph::DynamicsTablesTest)
 #include "test_dynamics_tables.moc"

@@ -43,7 +43,7 @@ struct Picture {
 
 }  // namespace
 
-class TestForceTables : public QObject {
+class ForceTablesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -329,5 +329,5 @@ class TestForceTables : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestForceTables)
+QTEST_APPLESS_MAIN(ForceTablesTest)
 #include "test_force_tables.moc"

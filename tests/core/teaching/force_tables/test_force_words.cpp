@@ -68,7 +68,7 @@ std::string allCsv() {
 }  // namespace
 
 /// The tables of forces are looked up in the catalogue; files hold them in English.
-class TestForceWords : public QObject {
+class ForceWordsTest : public QObject {
   Q_OBJECT
 
   static void verifyTranslated(const std::string& text, const std::vector<std::string>& names) {
@@ -154,5 +154,5 @@ class TestForceWords : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestForceWords)
+QTEST_APPLESS_MAIN(ForceWordsTest)
 #include "test_force_words.moc"

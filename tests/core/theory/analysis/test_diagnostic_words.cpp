@@ -87,7 +87,7 @@ std::vector<Mechanism> noteworthy() {
 }  // namespace
 
 /// The messages of diagnostics are looked up in the catalogue.
-class TestDiagnosticWords : public QObject {
+class DiagnosticWordsTest : public QObject {
   Q_OBJECT
  private slots:
   void messagesAreTranslated() {
@@ -126,5 +126,5 @@ class TestDiagnosticWords : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDiagnosticWords)
+QTEST_APPLESS_MAIN(DiagnosticWordsTest)
 #include "test_diagnostic_words.moc"

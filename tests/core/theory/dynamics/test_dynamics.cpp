@@ -71,7 +71,7 @@ Mechanism planetarySet(int sunTeeth, int planetTeeth) {
 
 }  // namespace
 
-class TestDynamics : public QObject {
+class DynamicsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -263,5 +263,5 @@ class TestDynamics : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestDynamics)
+QTEST_APPLESS_MAIN(geargraph::DynamicsTest)
 #include "test_dynamics.moc"

@@ -49,7 +49,7 @@ double largestEnergy(const Simulation& simulation) {
 
 }  // namespace
 
-class TestSimulation : public QObject {
+class SimulationTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -207,5 +207,5 @@ class TestSimulation : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestSimulation)
+QTEST_APPLESS_MAIN(geargraph::SimulationTest)
 #include "test_simulation.moc"

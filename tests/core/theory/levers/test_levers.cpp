@@ -79,7 +79,7 @@ Mechanism fourSets(int lastRing) {
 
 }  // namespace
 
-class TestLevers : public QObject {
+class LeversTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -356,5 +356,5 @@ class TestLevers : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLevers)
+QTEST_APPLESS_MAIN(LeversTest)
 #include "test_levers.moc"

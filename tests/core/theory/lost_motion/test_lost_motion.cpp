@@ -135,7 +135,7 @@ double measuredPlay(const Mechanism& mechanism, bool tailTurns) {
 
 }  // namespace
 
-class TestLostMotion : public QObject {
+class LostMotionTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -295,5 +295,5 @@ class TestLostMotion : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLostMotion)
+QTEST_APPLESS_MAIN(LostMotionTest)
 #include "test_lost_motion.moc"

@@ -20,7 +20,7 @@ Mechanism drivenRobot() {
 
 }  // namespace
 
-class TestInputRoles : public QObject {
+class InputRolesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -70,5 +70,5 @@ class TestInputRoles : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestInputRoles)
+QTEST_APPLESS_MAIN(InputRolesTest)
 #include "test_input_roles.moc"

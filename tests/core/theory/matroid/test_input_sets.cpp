@@ -98,7 +98,7 @@ Rational setsOfChain(int stages) {
 
 }  // namespace
 
-class TestInputSets : public QObject {
+class InputSetsTest : public QObject {
   Q_OBJECT
  private slots:
   void theRobotHas21SetsOfThree() {
@@ -236,5 +236,5 @@ class TestInputSets : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestInputSets)
+QTEST_APPLESS_MAIN(InputSetsTest)
 #include "test_input_sets.moc"

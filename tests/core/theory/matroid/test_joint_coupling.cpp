@@ -47,7 +47,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-class TestJointCoupling : public QObject {
+class JointCouplingTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -151,5 +151,5 @@ class TestJointCoupling : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestJointCoupling)
+QTEST_APPLESS_MAIN(JointCouplingTest)
 #include "test_joint_coupling.moc"

@@ -56,7 +56,7 @@ Mechanism withInputs(Mechanism mechanism, const std::vector<int>& labels) {
 
 }  // namespace
 
-class TestMatroidDiagnostics : public QObject {
+class MatroidDiagnosticsTest : public QObject {
   Q_OBJECT
  private slots:
   void theRobotHasNoDiagnostics() {
@@ -266,5 +266,5 @@ class TestMatroidDiagnostics : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMatroidDiagnostics)
+QTEST_APPLESS_MAIN(MatroidDiagnosticsTest)
 #include "test_matroid_diagnostics.moc"

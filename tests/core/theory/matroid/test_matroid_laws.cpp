@@ -47,7 +47,7 @@ int denseRank(const Worked& worked) {
 
 }  // namespace
 
-class TestMatroidLaws : public QObject {
+class MatroidLawsTest : public QObject {
   Q_OBJECT
  private slots:
   void rankIsThatOfADenseExactElimination() {
@@ -231,5 +231,5 @@ class TestMatroidLaws : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMatroidLaws)
+QTEST_APPLESS_MAIN(MatroidLawsTest)
 #include "test_matroid_laws.moc"

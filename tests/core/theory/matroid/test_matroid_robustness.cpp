@@ -33,7 +33,7 @@ Mechanism scribble(std::uint64_t seed) {
 
 }  // namespace
 
-class TestMatroidRobustness : public QObject {
+class MatroidRobustnessTest : public QObject {
   Q_OBJECT
  private slots:
   void whateverIsDrawnEveryMeshIsPlacedOrBlamed() {
@@ -78,5 +78,5 @@ class TestMatroidRobustness : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMatroidRobustness)
+QTEST_APPLESS_MAIN(MatroidRobustnessTest)
 #include "test_matroid_robustness.moc"

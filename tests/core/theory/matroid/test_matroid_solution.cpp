@@ -31,7 +31,7 @@ Mechanism planetaryDriven(int held, int driven) {
 
 }  // namespace
 
-class TestMatroidSolution : public QObject {
+class MatroidSolutionTest : public QObject {
   Q_OBJECT
  private slots:
   void planetaryWithTheRingHeld() {  // sun 24, ring 60: carrier turns 24/84
@@ -152,5 +152,5 @@ class TestMatroidSolution : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMatroidSolution)
+QTEST_APPLESS_MAIN(MatroidSolutionTest)
 #include "test_matroid_solution.moc"

@@ -35,7 +35,7 @@ bool areClose(const Vector3& a, const Vector3& b, double within) {
 
 }  // namespace
 
-class TestScrews : public QObject {
+class ScrewsTest : public QObject {
   Q_OBJECT
  private slots:
   /// Turn the pitch point by a little about the line, either way: its way over the angle is the moment.
@@ -88,5 +88,5 @@ class TestScrews : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestScrews)
+QTEST_APPLESS_MAIN(ScrewsTest)
 #include "test_screws.moc"

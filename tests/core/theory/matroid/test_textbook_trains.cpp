@@ -41,7 +41,7 @@ TrainSketch simpson() {
 
 }  // namespace
 
-class TestTextbookTrains : public QObject {
+class TextbookTrainsTest : public QObject {
   Q_OBJECT
  private slots:
   void ravigneauxWithTheCarrierHeldReversesTheLargeSun() {
@@ -115,5 +115,5 @@ class TestTextbookTrains : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTextbookTrains)
+QTEST_APPLESS_MAIN(TextbookTrainsTest)
 #include "test_textbook_trains.moc"

@@ -14,7 +14,7 @@ constexpr double kOpen = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-class TestJointLimits : public QObject {
+class JointLimitsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -63,5 +63,5 @@ class TestJointLimits : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestJointLimits)
+QTEST_APPLESS_MAIN(geargraph::JointLimitsTest)
 #include "test_joint_limits.moc"

@@ -49,7 +49,7 @@ Eigen::Isometry3d turn(const TurningLine& line, double angle) {
 
 }  // namespace
 
-class TestPose : public QObject {
+class PoseTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -186,5 +186,5 @@ class TestPose : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::TestPose)
+QTEST_APPLESS_MAIN(geargraph::PoseTest)
 #include "test_pose.moc"

@@ -74,7 +74,7 @@ Mechanism ravigneaux() {
 
 }  // namespace
 
-class TestStates : public QObject {
+class StatesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -340,5 +340,5 @@ class TestStates : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStates)
+QTEST_APPLESS_MAIN(StatesTest)
 #include "test_states.moc"

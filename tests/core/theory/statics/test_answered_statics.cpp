@@ -69,7 +69,7 @@ Mechanism withIdler() {
 }  // namespace
 
 /// What a report answers, and what it leaves out with a reason: never the torques of another train.
-class TestAnsweredStatics : public QObject {
+class AnsweredStaticsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -282,5 +282,5 @@ class TestAnsweredStatics : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAnsweredStatics)
+QTEST_APPLESS_MAIN(AnsweredStaticsTest)
 #include "test_answered_statics.moc"

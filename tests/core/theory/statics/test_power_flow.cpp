@@ -75,7 +75,7 @@ std::string faultOf(const StaticsCase& train, const StaticsReport& report, const
 
 }  // namespace
 
-class TestPowerFlow : public QObject {
+class PowerFlowTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -378,5 +378,5 @@ class TestPowerFlow : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPowerFlow)
+QTEST_APPLESS_MAIN(PowerFlowTest)
 #include "test_power_flow.moc"

@@ -101,7 +101,7 @@ const std::vector<Efficiencies>& manyEfficiencies() {
 
 }  // namespace
 
-class TestReductionGears : public QObject {
+class ReductionGearsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -174,5 +174,5 @@ class TestReductionGears : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestReductionGears)
+QTEST_APPLESS_MAIN(ReductionGearsTest)
 #include "test_reduction_gears.moc"

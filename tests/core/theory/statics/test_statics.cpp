@@ -87,7 +87,7 @@ void bothMethodsAgree(const StaticsCase& train, const StaticsProblem& problem) {
 
 }  // namespace
 
-class TestStatics : public QObject {
+class StaticsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -439,5 +439,5 @@ class TestStatics : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStatics)
+QTEST_APPLESS_MAIN(StaticsTest)
 #include "test_statics.moc"

@@ -71,7 +71,7 @@ Driven driven(const StaticsCase& train, const StaticsProblem& problem, const Mot
 
 }  // namespace
 
-class TestStaticsForces : public QObject {
+class StaticsForcesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -550,5 +550,5 @@ class TestStaticsForces : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStaticsForces)
+QTEST_APPLESS_MAIN(StaticsForcesTest)
 #include "test_statics_forces.moc"

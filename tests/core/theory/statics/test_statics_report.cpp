@@ -33,7 +33,7 @@ StaticsOptions loaded(std::vector<Load> loads) {
 
 }  // namespace
 
-class TestStaticsReport : public QObject {
+class StaticsReportTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -241,5 +241,5 @@ class TestStaticsReport : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStaticsReport)
+QTEST_APPLESS_MAIN(StaticsReportTest)
 #include "test_statics_report.moc"

@@ -86,7 +86,7 @@ Mechanism windTurbine() {
 
 }  // namespace
 
-class TestFrequencyLines : public QObject {
+class FrequencyLinesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -270,5 +270,5 @@ class TestFrequencyLines : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFrequencyLines)
+QTEST_APPLESS_MAIN(FrequencyLinesTest)
 #include "test_frequency_lines.moc"
