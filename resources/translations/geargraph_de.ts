@@ -19089,6 +19089,42 @@ Radpaare / Steg: %3</translation>
         <source>Frequencies of shafts, tooth meshes and planets, and the motion that the play of the teeth loses.</source>
         <translation>Frequenzen von Wellen, Zahneingriffen und Planeten, und die Bewegung, die das Spiel der Zähne verschluckt.</translation>
     </message>
+    <message>
+        <source>A worm has one start or more.</source>
+        <translation>Eine Schnecke hat einen Gang oder mehr.</translation>
+    </message>
+    <message>
+        <source>%1 starts are too many for a worm; use at most %2, or a pair of helical gears on crossed axes.</source>
+        <translation>%1 Gänge sind zu viele für eine Schnecke; nehmen Sie höchstens %2, oder ein Paar schrägverzahnter Räder auf gekreuzten Achsen.</translation>
+    </message>
+    <message>
+        <source>A worm of %1 starts needs a lead angle between 0.3 and 70 degrees, and no profile shift: its wheel has it.</source>
+        <translation>Eine Schnecke mit %1 Gängen braucht einen Steigungswinkel zwischen 0,3 und 70 Grad und keine Profilverschiebung: Die hat ihr Rad.</translation>
+    </message>
+    <message>
+        <source>A worm of %1 starts and a pitch diameter of %2 leaves no body below its threads: make it larger than %3.</source>
+        <translation>Eine Schnecke mit %1 Gängen und einem Teilkreisdurchmesser von %2 lässt unter ihrem Gewinde keinen Körper übrig: Machen Sie ihn größer als %3.</translation>
+    </message>
+    <message>
+        <source>The threads of a worm of %1 starts would be pointed; use a smaller pressure angle or less height.</source>
+        <translation>Die Gänge einer Schnecke mit %1 Gängen würden spitz; nehmen Sie einen kleineren Eingriffswinkel oder weniger Höhe.</translation>
+    </message>
+    <message>
+        <source>The bore of %1 leaves no body below the threads of the worm: make it smaller than %2.</source>
+        <translation>Die Bohrung von %1 lässt unter dem Gewinde der Schnecke keinen Körper übrig: Machen Sie sie kleiner als %2.</translation>
+    </message>
+    <message>
+        <source>A worm wheel of %1 teeth needs a worm of fewer starts, at most %2; a pair of helical gears on crossed axes may have any numbers of teeth.</source>
+        <translation>Ein Schneckenrad mit %1 Zähnen braucht eine Schnecke mit weniger Gängen, höchstens %2; ein Paar schrägverzahnter Räder auf gekreuzten Achsen darf beliebige Zähnezahlen haben.</translation>
+    </message>
+    <message>
+        <source>The worm of a wheel of %1 teeth is too thin for its throat: make its pitch diameter larger than %2.</source>
+        <translation>Die Schnecke eines Rads mit %1 Zähnen ist zu dünn für dessen Kehle: Machen Sie ihren Teilkreisdurchmesser größer als %2.</translation>
+    </message>
+    <message>
+        <source>A worm wheel of %1 teeth is wider than its worm is thick: make its face width at most %2.</source>
+        <translation>Ein Schneckenrad mit %1 Zähnen ist breiter, als seine Schnecke dick ist: Machen Sie seine Zahnbreite höchstens %2.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -19089,6 +19089,42 @@ pares / portasatélites: %3</translation>
         <source>Frequencies of shafts, tooth meshes and planets, and the motion that the play of the teeth loses.</source>
         <translation>Frecuencias de ejes, engranes y satélites, y el movimiento que pierde el juego de los dientes.</translation>
     </message>
+    <message>
+        <source>A worm has one start or more.</source>
+        <translation>Un tornillo sin fin tiene una entrada o más.</translation>
+    </message>
+    <message>
+        <source>%1 starts are too many for a worm; use at most %2, or a pair of helical gears on crossed axes.</source>
+        <translation>%1 entradas son demasiadas para un tornillo sin fin; use como máximo %2, o un par de ruedas helicoidales de ejes cruzados.</translation>
+    </message>
+    <message>
+        <source>A worm of %1 starts needs a lead angle between 0.3 and 70 degrees, and no profile shift: its wheel has it.</source>
+        <translation>Un tornillo sin fin de %1 entradas necesita un ángulo de avance entre 0,3 y 70 grados y ningún desplazamiento de perfil: lo tiene su rueda.</translation>
+    </message>
+    <message>
+        <source>A worm of %1 starts and a pitch diameter of %2 leaves no body below its threads: make it larger than %3.</source>
+        <translation>Un tornillo sin fin de %1 entradas y un diámetro primitivo de %2 no deja cuerpo bajo sus filetes: hágalo mayor que %3.</translation>
+    </message>
+    <message>
+        <source>The threads of a worm of %1 starts would be pointed; use a smaller pressure angle or less height.</source>
+        <translation>Los filetes de un tornillo sin fin de %1 entradas serían puntiagudos; use un ángulo de presión menor o menos altura.</translation>
+    </message>
+    <message>
+        <source>The bore of %1 leaves no body below the threads of the worm: make it smaller than %2.</source>
+        <translation>El agujero de %1 no deja cuerpo bajo los filetes del tornillo sin fin: hágalo menor que %2.</translation>
+    </message>
+    <message>
+        <source>A worm wheel of %1 teeth needs a worm of fewer starts, at most %2; a pair of helical gears on crossed axes may have any numbers of teeth.</source>
+        <translation>Una corona de tornillo sin fin de %1 dientes necesita un tornillo con menos entradas, como máximo %2; un par de ruedas helicoidales de ejes cruzados puede tener cualquier número de dientes.</translation>
+    </message>
+    <message>
+        <source>The worm of a wheel of %1 teeth is too thin for its throat: make its pitch diameter larger than %2.</source>
+        <translation>El tornillo de una corona de %1 dientes es demasiado delgado para su garganta: haga su diámetro primitivo mayor que %2.</translation>
+    </message>
+    <message>
+        <source>A worm wheel of %1 teeth is wider than its worm is thick: make its face width at most %2.</source>
+        <translation>Una corona de %1 dientes es más ancha que el grosor de su tornillo: haga su ancho de cara como máximo %2.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

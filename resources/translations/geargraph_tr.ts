@@ -19088,6 +19088,42 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>Frequencies of shafts, tooth meshes and planets, and the motion that the play of the teeth loses.</source>
         <translation>Millerin, diş kavramalarının ve gezegenlerin frekansları ile diş boşluğunun yuttuğu hareket.</translation>
     </message>
+    <message>
+        <source>A worm has one start or more.</source>
+        <translation>Bir sonsuz vidanın bir ya da daha çok ağzı vardır.</translation>
+    </message>
+    <message>
+        <source>%1 starts are too many for a worm; use at most %2, or a pair of helical gears on crossed axes.</source>
+        <translation>Bir sonsuz vida için %1 ağız çok fazla; en çok %2 ağız ya da aykırı eksenlerde bir helisel dişli çifti kullanın.</translation>
+    </message>
+    <message>
+        <source>A worm of %1 starts needs a lead angle between 0.3 and 70 degrees, and no profile shift: its wheel has it.</source>
+        <translation>%1 ağızlı bir sonsuz vidanın adım açısı 0,3 ile 70 derece arasında olmalı ve profil kaydırması olmamalıdır: kaydırma çarkındadır.</translation>
+    </message>
+    <message>
+        <source>A worm of %1 starts and a pitch diameter of %2 leaves no body below its threads: make it larger than %3.</source>
+        <translation>%1 ağızlı ve %2 bölüm dairesi çaplı bir sonsuz vida, dişlerinin altında gövde bırakmıyor: çapı %3 değerinden büyük yapın.</translation>
+    </message>
+    <message>
+        <source>The threads of a worm of %1 starts would be pointed; use a smaller pressure angle or less height.</source>
+        <translation>%1 ağızlı bir sonsuz vidanın dişleri sivri olurdu; daha küçük bir basınç açısı ya da daha az yükseklik kullanın.</translation>
+    </message>
+    <message>
+        <source>The bore of %1 leaves no body below the threads of the worm: make it smaller than %2.</source>
+        <translation>%1 çaplı delik, sonsuz vidanın dişlerinin altında gövde bırakmıyor: %2 değerinden küçük yapın.</translation>
+    </message>
+    <message>
+        <source>A worm wheel of %1 teeth needs a worm of fewer starts, at most %2; a pair of helical gears on crossed axes may have any numbers of teeth.</source>
+        <translation>%1 dişli bir sonsuz vida çarkı, daha az ve en çok %2 ağızlı bir vida ister; aykırı eksenlerdeki bir helisel dişli çiftinin diş sayıları serbesttir.</translation>
+    </message>
+    <message>
+        <source>The worm of a wheel of %1 teeth is too thin for its throat: make its pitch diameter larger than %2.</source>
+        <translation>%1 dişli çarkın sonsuz vidası, çarkın boğazı için çok ince: bölüm dairesi çapını %2 değerinden büyük yapın.</translation>
+    </message>
+    <message>
+        <source>A worm wheel of %1 teeth is wider than its worm is thick: make its face width at most %2.</source>
+        <translation>%1 dişli sonsuz vida çarkı, vidasının kalınlığından daha geniş: diş genişliğini en çok %2 yapın.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

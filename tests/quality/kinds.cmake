@@ -8,9 +8,9 @@ include("${CMAKE_CURRENT_LIST_DIR}/check_lines.cmake")
 
 set(definitions core/mechanism/kinds/pair_kind.h core/mechanism/kinds/pair_kind.cpp core/machine/teeth/gear_spec.h
   core/machine/train/pair_wheels.cpp)
-# Sets of gears and trains that are made of certain pairs, and the counts that lessons ask for by name.
+# Gears, sets of gears and trains that are made of certain kinds, and the counts that lessons ask for by name.
 set(makers core/design/atlas/chain_document.cpp core/design/gearboxes/gearbox_document.cpp core/design/gearboxes/hub_document.cpp core/design/synthesis/bevel_sets.cpp core/design/synthesis/drive_sets.cpp core/design/synthesis/planetary_set.cpp
-  core/design/synthesis/reverted_train.cpp core/design/synthesis/shifting_sets.cpp core/teaching/derivation/comparison_families.cpp core/teaching/lessons/quantities.cpp)
+  core/design/synthesis/reverted_train.cpp core/design/synthesis/shifting_sets.cpp core/machine/teeth/worm.cpp core/teaching/derivation/comparison_families.cpp core/teaching/lessons/quantities.cpp)
 set(listed "${SOURCE}/tests/core/examples/test_kinds.cpp")
 set(tested "")
 if(EXISTS "${listed}")

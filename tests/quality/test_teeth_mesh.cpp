@@ -103,7 +103,7 @@ Solid bevelOfPlainTeeth(const GearSpec& spec) {
   const double mu = spec.module / coneDistance(spec);
   GearBlank blank;
   blank.teeth = spec.teeth;
-  blank.tolerance = 0.01;
+  blank.below.tolerance = 0.01;
   const double small = coneDistance(spec) - spec.faceWidth;
   for (std::size_t i = 0; i < tooth.points.size(); ++i) {
     const ProfilePoint& p = tooth.points[i];
@@ -114,7 +114,7 @@ Solid bevelOfPlainTeeth(const GearSpec& spec) {
     const Vector3d up = Vector3d(std::sin(spec.coneAngle), 0, std::cos(spec.coneAngle));
     blank.half.push_back({ray * small, ray * coneDistance(spec), Vector3d::UnitY(), -up, up, corner});
   }
-  blank.body = {{0, 2 * coneDistance(spec)}, {0, 0}};
+  blank.below.body = {{0, 2 * coneDistance(spec)}, {0, 0}};
   return meshed(blank);
 }
 

@@ -44,7 +44,7 @@ bool isPackage(const QString& path) {
 }  // namespace
 
 QString WindowExports::whyNoDerivation() const {
-  return whyNoDerivation(*m_workbench.document().mechanism());
+  return geargraph::whyNoDerivation(*m_workbench.document().mechanism());
 }
 
 void WindowExports::chooseAndExportDerivation() {

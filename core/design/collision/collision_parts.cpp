@@ -26,7 +26,7 @@ TurningLine axisOf(const Eigen::Isometry3d& frame) {
 
 /// The solid that the tips of a wheel sweep, in the wheel's frame.
 Solid sweptWheel(const GearSpec& spec) {
-  return revolved(wheelOutline(spec), kCollisionTolerance * spec.module);
+  return revolved(wheelOutline(spec), kCollisionTolerance * toothSize(spec));
 }
 
 bool isRevolved(const BodyPart& part) {
@@ -84,7 +84,7 @@ std::vector<CollisionPart> collisionParts(const GearTrain& train, const std::sto
   std::vector<CollisionPart> parts;
   for (const TrainGear& gear : train.gears) {
     if (stop.stop_requested()) return parts;
-    parts.push_back(collisionPart(gear.link, moved(sweptWheel(gear.spec), gear.pose), gear.spec.module,
+    parts.push_back(collisionPart(gear.link, moved(sweptWheel(gear.spec), gear.pose), toothSize(gear.spec),
                                   axisOf(gear.pose)));
   }
   for (const LinkBody& body : train.bodies) {

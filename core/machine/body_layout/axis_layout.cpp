@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 double middleModule(const GearTrain& train) {
   if (train.gears.empty()) return kDefaultModule;
   std::vector<double> modules;
-  for (const TrainGear& gear : train.gears) modules.push_back(gear.spec.module);
+  for (const TrainGear& gear : train.gears) modules.push_back(toothSize(gear.spec));
   const auto middle = modules.begin() + static_cast<std::ptrdiff_t>(modules.size() / 2);
   std::nth_element(modules.begin(), middle, modules.end());
   return *middle;

@@ -35,6 +35,25 @@ std::vector<ProfileVertex> webbedProfile(const GearSpec& s, const Web& web) {
           {bore, -face},   {web.hub, -face},    {web.hub, -web.half}, {web.rim, -web.half}, {web.rim, -face}};
 }
 
+void checkDisc(const GearSpec& spec, Diagnostics& found) {
+  if (nominalRootRadius(spec) >= 0.2 * spec.module) return;
+  found.push_back(
+      specRejection(translated("%1 teeth leave no body below the roots; use more, or a larger profile shift.",
+                               {std::to_string(spec.teeth)})));
+}
+
+Solid smoothDisc(const GearSpec& spec, double chord) {
+  const double surface = nominalTipRadius(spec), half = spec.faceWidth / 2;
+  std::vector<ProfileVertex> outline = bodyProfile(spec);
+  outline.push_back({surface, -half});
+  outline.push_back({surface, half});
+  return revolved(outline, chord);
+}
+
+void checkNothing(const GearSpec& /*spec*/, Diagnostics& /*found*/) {}
+
+}  // namespace
+
 std::vector<ProfileVertex> discBody(const GearSpec& spec) {
   const std::optional<Web> web = webOf(spec);
   return web ? webbedProfile(spec, *web) : discProfile(spec.bore, spec.faceWidth);
@@ -60,25 +79,6 @@ Solid toothlessDisc(const GearSpec& spec, double chord) {
   outline.push_back({pitch, half});
   return revolved(outline, chord);
 }
-
-void checkDisc(const GearSpec& spec, Diagnostics& found) {
-  if (nominalRootRadius(spec) >= 0.2 * spec.module) return;
-  found.push_back(
-      specRejection(translated("%1 teeth leave no body below the roots; use more, or a larger profile shift.",
-                               {std::to_string(spec.teeth)})));
-}
-
-Solid smoothDisc(const GearSpec& spec, double chord) {
-  const double surface = nominalTipRadius(spec), half = spec.faceWidth / 2;
-  std::vector<ProfileVertex> outline = bodyProfile(spec);
-  outline.push_back({surface, -half});
-  outline.push_back({surface, half});
-  return revolved(outline, chord);
-}
-
-void checkNothing(const GearSpec& /*spec*/, Diagnostics& /*found*/) {}
-
-}  // namespace
 
 constexpr WheelForm kPulleyForm{.body = discBody,
                                 .windows = discWindows,

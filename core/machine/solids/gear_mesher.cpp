@@ -244,8 +244,8 @@ class ToothedShell {
     const auto strips = static_cast<std::size_t>(std::count(pattern.isEdge.begin(), pattern.isEdge.end(), 0));
     const std::size_t triangles = 2 * strips * pattern.wallEdges.size() + 2 * pattern.faceTriangles.size();
     const std::size_t vertices = m_teeth * (std::size_t{m_layers} * m_walls + 2 * std::size_t{m_faces});
-    const std::size_t windows = blank.windows ? vertices / 16 + 4 * circle : 0;
-    const std::size_t body = 2 * circle * blank.body.size() + windows;
+    const std::size_t windows = blank.below.windows ? vertices / 16 + 4 * circle : 0;
+    const std::size_t body = 2 * circle * blank.below.body.size() + windows;
     const std::size_t joints = 2 * m_teeth * pattern.base.size();  // between the faces and the body
     m_solid.positions.reserve(vertices + body);
     m_solid.normals.reserve(vertices + body);
@@ -267,19 +267,11 @@ class ToothedShell {
         loop.angles.push_back(2 * pi * k / m_teeth + m_pattern.baseAngles[b] + turn);
       }
     }
-    if (turn != 0) beginAt(loop, start);
+    if (turn != 0) beginLoopAt(loop, start);
     return loop;
   }
 
  private:
-  /// Lets a loop that is turned begin with its first vertex from the angle on.
-  static void beginAt(Loop& loop, double start) {
-    for (double& angle : loop.angles) angle -= 2 * pi * std::floor((angle - start) / (2 * pi));
-    const auto first = std::min_element(loop.angles.begin(), loop.angles.end()) - loop.angles.begin();
-    std::rotate(loop.angles.begin(), loop.angles.begin() + first, loop.angles.end());
-    std::rotate(loop.vertices.begin(), loop.vertices.begin() + first, loop.vertices.end());
-  }
-
   [[nodiscard]] Index faceStart(bool top) const {
     return m_teeth * (m_layers * m_walls + (top ? m_faces : 0));
   }
@@ -351,13 +343,13 @@ void ToothedShell::writeTriangles() {
 }
 
 /// The strips of the body; where it has windows, those of the web have openings.
-void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double start) {
-  if (!blank.windows) {
-    builder.addRevolved(blank.body, count, start);
+void addBody(ShellBuilder& builder, const BodyBelow& below, int count, double start) {
+  if (!below.windows) {
+    builder.addRevolved(below.body, count, start);
     return;
   }
-  const WebWindows& w = *blank.windows;
-  const std::vector<ProfileVertex>& body = blank.body;
+  const WebWindows& w = *below.windows;
+  const std::vector<ProfileVertex>& body = below.body;
   const auto isWeb = [&](const ProfileVertex& a, const ProfileVertex& b) {
     const bool top = a == ProfileVertex{w.rim, w.half} && b == ProfileVertex{w.hub, w.half};
     return top || (a == ProfileVertex{w.hub, -w.half} && b == ProfileVertex{w.rim, -w.half});
@@ -365,30 +357,39 @@ void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double st
   for (std::size_t i = 0; i + 1 < body.size(); ++i) {
     if (!isWeb(body[i], body[i + 1])) builder.addRevolved(std::span(body).subspan(i, 2), count, start);
   }
-  addWindowedWeb(builder, w, count, start, blank.tolerance);
+  addWindowedWeb(builder, w, count, start, below.tolerance);
 }
 
 }  // namespace
 
+int circleCountOf(const BodyBelow& below) {
+  double largest = 0;
+  for (const ProfileVertex& c : below.body) largest = std::max(largest, c.radius);
+  int count = circleCount(largest, below.tolerance);
+  if (below.windows) count += (below.windows->count - count % below.windows->count) % below.windows->count;
+  return count;
+}
+
+void sewBodyBelow(ShellBuilder& builder, const BodyBelow& below, int count, double start, const FaceLoop& top,
+                  const FaceLoop& bottom) {
+  builder.sew(top.loop, builder.addCircle(below.body.front(), count, start, top.normal));
+  addBody(builder, below, count, start);
+  builder.sew(builder.addCircle(below.body.back(), count, start, bottom.normal), bottom.loop);
+}
+
 Solid meshed(const GearBlank& blank) {
-  GEARGRAPH_REQUIRE(blank.teeth >= 3 && blank.body.size() >= 2);
+  GEARGRAPH_REQUIRE(blank.teeth >= 3 && blank.below.body.size() >= 2);
   Solid solid;
   const ToothPattern pattern(blank);
-  double largest = 0;
-  for (const ProfileVertex& c : blank.body) largest = std::max(largest, c.radius);
-  int count = circleCount(largest, blank.tolerance);
-  if (blank.windows) count += (blank.windows->count - count % blank.windows->count) % blank.windows->count;
+  const int count = circleCountOf(blank.below);
   const ToothedShell teeth(blank, pattern, static_cast<std::size_t>(count), solid);
   ShellBuilder builder(solid, blank.inward);
   const double start = -pi / blank.teeth;
   // The faces go on below the teeth with the normal they have in the middle of the tooth, where y = 0.
   const Vector3d& up = blank.half.back().topNormal;
   const Vector3d& down = blank.half.back().bottomNormal;
-  builder.sew(teeth.baseLoop(true, start),
-              builder.addCircle(blank.body.front(), count, start, {up.x(), up.z()}));
-  addBody(builder, blank, count, start);
-  builder.sew(builder.addCircle(blank.body.back(), count, start, {down.x(), down.z()}),
-              teeth.baseLoop(false, start));
+  sewBodyBelow(builder, blank.below, count, start, {teeth.baseLoop(true, start), {up.x(), up.z()}},
+               {teeth.baseLoop(false, start), {down.x(), down.z()}});
   return solid;
 }
 

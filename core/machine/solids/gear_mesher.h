@@ -27,15 +27,8 @@ struct TwistLayer {
   double slope = 0;  ///< of the walls there: d turn / d height
 };
 
-/// The input of meshed(): half a tooth from the middle of the space to the middle of the tip, and the profile
-/// of the body from the top face to the bottom face (poles where there is no bore).
-struct GearBlank {
-  int teeth = 0;
-  bool inward = false;  ///< a ring: teeth point towards the axis, the body is outside
-  std::vector<OutlinePoint> half;
-  /// Sections of the teeth from the bottom face to the top face, whose `half` is a cylinder then; empty:
-  /// straight walls.
-  std::vector<TwistLayer> layers = {};
+/// The body below the teeth: its profile from the top face to the bottom face (poles where there is no bore).
+struct BodyBelow {
   std::vector<ProfileVertex> body;
   /// Openings in the body's two strips between the circles (rim, half) and (hub, half), and (hub, -half) and
   /// (rim, -half).
@@ -43,10 +36,33 @@ struct GearBlank {
   double tolerance = 0;  ///< chordal error of the body's circles, a length
 };
 
+/// The input of meshed(): half a tooth from the middle of the space to the middle of the tip, and the body.
+struct GearBlank {
+  int teeth = 0;
+  bool inward = false;  ///< a ring: teeth point towards the axis, the body is outside
+  std::vector<OutlinePoint> half;
+  /// Sections of the teeth from the bottom face to the top face, whose `half` is a cylinder then; empty:
+  /// straight walls.
+  std::vector<TwistLayer> layers = {};
+  BodyBelow below;
+};
+
 /// One closed, oriented, 2-manifold mesh. Tooth k is tooth 0 turned by 2 pi k / z with its own sine and
 /// cosine (no error accumulates), and the last tooth ends on the vertices of the first: watertight by
 /// construction. The end faces of a tooth are triangle strips between mirrored points, which never intersect,
 /// even with undercut. Cost: O(vertices).
 [[nodiscard]] Solid meshed(const GearBlank& blank);
+
+/// Where a face of the teeth ends at the body: its polygon, and the normal there (radial, axial).
+struct FaceLoop {
+  Loop loop;
+  Eigen::Vector2d normal;
+};
+
+/// The vertices of each circle of a body, and the body itself, sewn to teeth whose loops begin at the angle
+/// `start`.
+[[nodiscard]] int circleCountOf(const BodyBelow& below);
+void sewBodyBelow(ShellBuilder& builder, const BodyBelow& below, int count, double start, const FaceLoop& top,
+                  const FaceLoop& bottom);
 
 }  // namespace geargraph

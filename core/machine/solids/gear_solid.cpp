@@ -42,24 +42,24 @@ Expected<Solid> gearSolid(const GearSpec& spec, double tolerance) {
   Diagnostics wrong = specDiagnostics(spec);
   if (!wrong.empty()) return wrong;
   if (!isToothed(spec)) return toothlessGear(spec, tolerance);
+  if (const auto solid = wheelForm(spec).solid; solid != nullptr) return solid(spec, tolerance);
   GearBlank blank;
   blank.teeth = spec.teeth;
   blank.inward = isRing(spec);
-  blank.tolerance = tolerance * spec.module;
-  blank.layers = layersOf(spec, blank.tolerance);
+  blank.below = {bodyProfile(spec), bodyWindows(spec), tolerance * spec.module};
+  blank.layers = layersOf(spec, blank.below.tolerance);
   blank.half = wheelForm(spec).toothFaces(toothOf(spec, tolerance), spec);
-  blank.body = bodyProfile(spec);
-  blank.windows = bodyWindows(spec);
   return meshed(blank);
 }
 
 std::size_t GearCache::KeyHash::operator()(const Key& key) const {
   const GearSpec& s = key.spec;
-  std::size_t seed = static_cast<std::size_t>(s.teeth) * 8 + static_cast<std::size_t>(s.kind) * 2 +
+  std::size_t seed = static_cast<std::size_t>(s.teeth) * 16 + static_cast<std::size_t>(s.kind) * 2 +
                      static_cast<std::size_t>(s.body);
-  for (const double v :
-       {s.module, s.pressureAngle, s.profileShift, s.backlashAllowance, s.addendum, s.dedendum, s.rootRadius,
-        s.tipRadius, s.coneAngle, s.faceWidth, s.bore, s.rim, s.hub, s.helixAngle, key.tolerance}) {
+  seed = seed * 16 + static_cast<std::size_t>(s.mateTeeth);
+  for (const double v : {s.module, s.pressureAngle, s.profileShift, s.backlashAllowance, s.addendum,
+                         s.dedendum, s.rootRadius, s.tipRadius, s.coneAngle, s.faceWidth, s.bore, s.rim,
+                         s.hub, s.helixAngle, s.mateRadius, key.tolerance}) {
     seed = seed * 1000003 + std::hash<double>{}(v);
   }
   return seed;

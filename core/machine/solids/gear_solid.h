@@ -22,10 +22,12 @@ constexpr double kMaxTolerance = 0.1;
 constexpr double kBodyTolerance = 0.02;
 
 /// The solid of a gear in its own frame (gear_spec.h), in the unit of the spec's lengths. No chord of the
-/// surface is farther than `tolerance` modules from the exact form; points on flanks and roots are exact.
+/// surface is farther than `tolerance` modules (of a worm: axial ones) from the exact form; points on flanks
+/// and roots are exact.
 ///
 /// Fails with specDiagnostics().
-/// Cost: O(triangles); about 60 microseconds for 40 teeth at 0.002 (tests/bench/bench_gears.cpp).
+/// Cost: O(triangles); about 60 microseconds for 40 teeth at 0.002 (tests/bench/bench_gears.cpp), 20
+/// milliseconds for the wheel of a worm.
 [[nodiscard]] Expected<Solid> gearSolid(const GearSpec& spec, double tolerance);
 
 /// A cache of solids by parameters, so that equal planets, or a slider moved back, need one solid only. The

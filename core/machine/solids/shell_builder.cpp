@@ -1,5 +1,6 @@
 #include "core/machine/solids/shell_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -17,6 +18,13 @@ Float3 narrow(const Eigen::Vector3d& p) {
 }
 
 }  // namespace
+
+void beginLoopAt(Loop& loop, double start) {
+  for (double& angle : loop.angles) angle -= 2 * pi * std::floor((angle - start) / (2 * pi));
+  const auto first = std::min_element(loop.angles.begin(), loop.angles.end()) - loop.angles.begin();
+  std::rotate(loop.angles.begin(), loop.angles.begin() + first, loop.angles.end());
+  std::rotate(loop.vertices.begin(), loop.vertices.begin() + first, loop.vertices.end());
+}
 
 std::uint32_t ShellBuilder::addVertex(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) {
   m_solid.positions.push_back(narrow(position));

@@ -23,6 +23,9 @@ struct Loop {
   std::vector<double> angles;
 };
 
+/// Lets the loop begin with its first vertex from the angle on, as sew() needs where loops are turned.
+void beginLoopAt(Loop& loop, double start);
+
 /// Joins loops by triangle strips. All orientations are for a body inside its teeth; `inward` reverses all
 /// triangles and normals of revolution, for rings, whose body is outside.
 class ShellBuilder {

@@ -14,11 +14,11 @@ bool numbersAreSane(const GearSpec& s) {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   const auto notNegative = [](double v) { return std::isfinite(v) && v >= 0; };
   return positive(s.module) && positive(s.faceWidth) && normalPressureAngle(s) > 0.08 &&
-         normalPressureAngle(s) < 0.62 && s.pressureAngle < 1.2 && std::isfinite(s.profileShift) &&
-         notNegative(s.backlashAllowance) && s.backlashAllowance < 0.5 && positive(s.addendum) &&
-         positive(s.dedendum) && notNegative(s.rootRadius) && notNegative(s.tipRadius) &&
-         notNegative(s.bore) && notNegative(s.rim) && notNegative(s.hub) && std::abs(s.profileShift) <= 3 &&
-         s.addendum <= 3 && s.dedendum <= 3;
+         normalPressureAngle(s) < 0.62 && s.pressureAngle < wheelForm(s).steepest &&
+         std::isfinite(s.profileShift) && notNegative(s.backlashAllowance) && s.backlashAllowance < 0.5 &&
+         positive(s.addendum) && positive(s.dedendum) && notNegative(s.rootRadius) &&
+         notNegative(s.tipRadius) && notNegative(s.bore) && notNegative(s.rim) && notNegative(s.hub) &&
+         std::abs(s.profileShift) <= 3 && s.addendum <= 3 && s.dedendum <= 3;
 }
 
 }  // namespace

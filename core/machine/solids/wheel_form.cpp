@@ -9,7 +9,8 @@
 namespace geargraph {
 
 KindTable<GearKind, WheelForm>& wheelForms() {
-  static constinit KindTable<GearKind, WheelForm> table(&kDiscForm, &kRingForm, &kConeForm, &kPulleyForm);
+  static constinit KindTable<GearKind, WheelForm> table(&kDiscForm, &kRingForm, &kConeForm, &kPulleyForm,
+                                                        &kWormForm, &kWormWheelForm);
   return table;
 }
 

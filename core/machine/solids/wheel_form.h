@@ -23,10 +23,13 @@ struct WheelForm {
   std::vector<ProfileVertex> (*outline)(const GearSpec& spec) = nullptr;
   AxialSpan (*span)(const GearSpec& spec) = nullptr;
   double (*largestBore)(const GearSpec& spec) = nullptr;
-  /// The tooth's profile at both faces. Unused without teeth.
+  /// The tooth's profile at both faces. Unused without teeth, and where there is a `solid`.
   std::vector<OutlinePoint> (*toothFaces)(const HalfTooth& tooth, const GearSpec& spec) = nullptr;
+  /// As gearSolid(), of teeth that their profile at the faces does not determine.
+  Solid (*solid)(const GearSpec& spec, double tolerance) = nullptr;
   /// As toothlessGear(); `chord` is a length.
   Solid (*toothless)(const GearSpec& spec, double chord) = nullptr;
+  double steepest = 1.2;  ///< transverse pressure angle that specDiagnostics() accepts, rad
   /// What specDiagnostics() has to say of its measures, and, where that is nothing, of its body.
   void (*check)(const GearSpec& spec, Diagnostics& found) = nullptr;
   void (*checkBody)(const GearSpec& spec, Diagnostics& found) = nullptr;
@@ -42,6 +45,8 @@ extern const WheelForm kDiscForm;
 extern const WheelForm kRingForm;
 extern const WheelForm kConeForm;
 extern const WheelForm kPulleyForm;
+extern const WheelForm kWormForm;
+extern const WheelForm kWormWheelForm;
 
 /// Faces of a tooth on a cylinder: straight, square to the axis.
 [[nodiscard]] std::vector<OutlinePoint> cylinderFaces(const HalfTooth& tooth, const GearSpec& spec);
@@ -53,6 +58,13 @@ extern const WheelForm kPulleyForm;
 [[nodiscard]] AxialSpan spanOf(std::span<const ProfileVertex> profile);
 /// Body, then tips at the body's faces.
 [[nodiscard]] std::vector<ProfileVertex> discOutline(const GearSpec& spec);
+
+/// Parts of kDiscForm.
+[[nodiscard]] std::vector<ProfileVertex> discBody(const GearSpec& spec);
+[[nodiscard]] std::optional<WebWindows> discWindows(const GearSpec& spec);
+[[nodiscard]] AxialSpan discSpan(const GearSpec& spec);
+[[nodiscard]] double largestDiscBore(const GearSpec& spec);
+[[nodiscard]] Solid toothlessDisc(const GearSpec& spec, double chord);
 
 /// teeth-geometry, and a measure with one decimal for its text.
 [[nodiscard]] Diagnostic specRejection(std::string message);

@@ -31,6 +31,11 @@ double normalModule(const GearSpec& spec) {
   return spec.module * std::cos(spec.helixAngle);
 }
 
+double toothSize(const GearSpec& spec) {
+  const auto own = wheelKind(spec.kind).toothSize;
+  return own != nullptr ? own(spec) : spec.module;
+}
+
 double normalPressureAngle(const GearSpec& spec) {
   return std::atan(std::tan(spec.pressureAngle) * std::cos(spec.helixAngle));
 }

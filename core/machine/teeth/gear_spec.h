@@ -49,8 +49,8 @@ struct GearSpec {
   GearBody body = GearBody::plain;
   double helixAngle = 0;     ///< at the reference cylinder, rad, positive: right-hand. Not for bevels
   bool herringbone = false;  ///< `helixAngle` is that of the half below mid face, the other half mirrors it
-  int mateTeeth = 0;         ///< worm wheel: starts of the worm that cuts it
-  double mateRadius = 0;     ///< worm wheel: pitch radius of that worm
+  int mateTeeth = 0;      ///< worm wheel: starts of the worm that cuts it; worm: teeth of the wheel, if known
+  double mateRadius = 0;  ///< pitch radius of that worm, or wheel
 
   friend bool operator==(const GearSpec&, const GearSpec&) = default;
 };
@@ -67,6 +67,10 @@ struct GearSpec {
 [[nodiscard]] double normalShift(const GearSpec& spec);
 /// The angle by which the section at height z, from mid face, is turned against the one there, rad.
 [[nodiscard]] double twistOf(const GearSpec& spec, double height);
+
+/// The module by which bodies, gaps and tolerances are measured: that of the spec, of a worm that of its
+/// axial section, which is the wheel's.
+[[nodiscard]] double toothSize(const GearSpec& spec);
 
 /// Reference pitch radius, m z / 2.
 [[nodiscard]] double pitchRadius(const GearSpec& spec);

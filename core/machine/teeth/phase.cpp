@@ -54,11 +54,23 @@ PhaseWheel phaseWheelOf(const GearSpec& spec, const Vector3d& centre, const Vect
   return wheel;
 }
 
-MeshPhase meshPhase(const PhaseWheel& a, const PhaseWheel& b, const Vector3d& pitchPoint) {
+Vector3d pitchPlaneNormal(const PhaseWheel& wheel, const Vector3d& pitchPoint) {
+  const Vector3d arm = pitchPoint - wheel.centre;
+  const double height = arm.dot(wheel.axis);
+  const Vector3d across = wheel.axis.cross(arm - height * wheel.axis);  // as long as the radius is
+  const double twist = wheel.herringbone && height > 0 ? -wheel.twist : wheel.twist;
+  return (across.normalized() - twist * across.norm() * wheel.axis).normalized();
+}
+
+MeshPhase meshPhase(const PhaseWheel& a, const PhaseWheel& b, const Vector3d& pitchPoint,
+                    const Vector3d& toothNormal) {
   const Vector3d ua = radial(a, pitchPoint);
   const Vector3d ub = radial(b, pitchPoint);
-  const Vector3d normal = a.axis.cross(ua);  // sig_a is +1 by this choice
-  const int sign = b.axis.cross(ub).dot(normal) >= 0 ? 1 : -1;
+  const Vector3d normal = toothNormal.isZero() ? pitchPlaneNormal(a, pitchPoint) : toothNormal;
+  const auto passes = [&](const PhaseWheel& wheel, const Vector3d& u) {
+    return wheel.axis.cross(u).dot(normal) >= 0 ? 1 : -1;
+  };
+  const int sign = passes(a, ua) * passes(b, ub);
   return {angleOf(a, ua) - twistAt(a, pitchPoint), angleOf(b, ub) - twistAt(b, pitchPoint), sign};
 }
 
@@ -116,7 +128,8 @@ class PhaseSolver {
 double PhaseSolver::residual(std::size_t m) const {
   const std::size_t a = at(m_meshes[m].a);
   const std::size_t b = at(m_meshes[m].b);
-  const MeshPhase phase = meshPhase(m_wheels[a], m_wheels[b], m_meshes[m].pitchPoint);
+  const MeshPhase phase =
+      meshPhase(m_wheels[a], m_wheels[b], m_meshes[m].pitchPoint, m_meshes[m].toothNormal);
   return phaseError(phase, m_wheels[a], m_solution.angles[a], m_wheels[b], m_solution.angles[b]);
 }
 
@@ -131,7 +144,7 @@ std::vector<std::size_t> PhaseSolver::grow(std::size_t first) {
       const std::size_t other = at(mesh.a) == from ? at(mesh.b) : at(mesh.a);
       if (m_way[other] != 0) continue;
       m_solution.closing[at(m)] = false;
-      const MeshPhase phase = meshPhase(m_wheels[from], m_wheels[other], mesh.pitchPoint);
+      const MeshPhase phase = meshPhase(m_wheels[from], m_wheels[other], mesh.pitchPoint, mesh.toothNormal);
       m_way[other] = phase.sign * m_way[from];
       m_solution.angles[other] =
           meshingAngle(phase, m_wheels[from], m_solution.angles[from], m_wheels[other]);
@@ -151,7 +164,7 @@ void PhaseSolver::turnToFit(const std::vector<std::size_t>& tree) {
       const std::size_t a = at(mesh.a);
       const std::size_t b = at(mesh.b);
       if (!m_solution.closing[at(m)] || a != wheel) continue;
-      const MeshPhase phase = meshPhase(m_wheels[a], m_wheels[b], mesh.pitchPoint);
+      const MeshPhase phase = meshPhase(m_wheels[a], m_wheels[b], mesh.pitchPoint, mesh.toothNormal);
       if (phase.sign * m_way[b] == m_way[a]) continue;
       const double pitches = -residual(at(m)) / (2 * m_way[a]);
       for (const std::size_t w : tree)

@@ -24,6 +24,7 @@ struct PhaseMesh {
   int a = 0;
   int b = 0;
   Eigen::Vector3d pitchPoint;
+  Eigen::Vector3d toothNormal = Eigen::Vector3d::Zero();  ///< as of meshPhase()
 };
 
 /// How the teeth of a pair pass their pitch point.
@@ -38,14 +39,19 @@ struct MeshPhase {
 [[nodiscard]] PhaseWheel phaseWheelOf(const GearSpec& spec, const Eigen::Vector3d& centre,
                                       const Eigen::Vector3d& axis, const Eigen::Vector3d& mark);
 
-/// The geometry of README.md, section 4: u radial towards the pitch point, n = k_a x u_a the common tooth
-/// normal, sign = sig_a sig_b with sig_i = sign((k_i x u_i) . n), for external, internal and bevel pairs
-/// alike.
+/// The normal of a wheel's teeth in the pitch plane at the pitch point, which points as its teeth move in
+/// positive turns, of length 1: k x u where the teeth are straight, else that less its part along the helix.
+/// On crossed axes the teeth of both wheels have it in common, but for its sign.
+[[nodiscard]] Eigen::Vector3d pitchPlaneNormal(const PhaseWheel& wheel, const Eigen::Vector3d& pitchPoint);
+
+/// The geometry of README.md, section 4: u radial towards the pitch point, n the common tooth normal in the
+/// pitch plane, sign = sig_a sig_b with sig_i = sign((k_i x u_i) . n), for all pairs alike.
+/// `toothNormal` is n, of either sign; where it is zero, n = pitchPlaneNormal(a).
 ///
 /// Identity: z_a w_a = sign z_b w_b for the speeds relative to the carrier, so that phase and kinematics are
 /// consistent.
-[[nodiscard]] MeshPhase meshPhase(const PhaseWheel& a, const PhaseWheel& b,
-                                  const Eigen::Vector3d& pitchPoint);
+[[nodiscard]] MeshPhase meshPhase(const PhaseWheel& a, const PhaseWheel& b, const Eigen::Vector3d& pitchPoint,
+                                  const Eigen::Vector3d& toothNormal = Eigen::Vector3d::Zero());
 
 /// The phase error of the wheels turned by these angles (rad), in pitches, in (-1/2, 1/2]; 0 where a tooth is
 /// centred in a space: z_a (angleA - psi_a) - sign z_b (angleB - psi_b) = pi (mod 2 pi) is 0.

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/machine/teeth/tooth_pair.h"
+#include "core/machine/teeth/worm.h"
+#include "core/machine/teeth/worm_cut.h"
 
 namespace geargraph {
 namespace {
@@ -83,11 +85,32 @@ constexpr WheelKind kPulleyWheel{.name = "pulley",
                                  .rootRadius = pulleySurface,
                                  .shareOfVirtual = sameAsVirtual};
 
+constexpr WheelKind kWormWheel{.name = "worm",
+                               .fewestTeeth = 1,
+                               .tipRadius = discTip,
+                               .rootRadius = discRoot,
+                               .shareOfVirtual = sameAsVirtual,
+                               .tooth = wormTooth,
+                               .withHelix = wormWithHelix,
+                               .toothSize = axialModule,
+                               .usualFace = usualWormFace,
+                               .contactRatio = wormContactRatio};
+
+/// In its mid plane, where the worm is a rack, it is an ordinary gear.
+constexpr WheelKind kThroatedWheel{.name = "wormWheel",
+                                   .tipRadius = wormWheelReach,
+                                   .rootRadius = discRoot,
+                                   .shareOfVirtual = sameAsVirtual,
+                                   .tooth = externalTooth,
+                                   .withHelix = wormWheelWithHelix,
+                                   .usualFace = usualWheelFace,
+                                   .contactRatio = wormWheelContactRatio};
+
 }  // namespace
 
 KindTable<GearKind, WheelKind>& wheelKinds() {
   static constinit KindTable<GearKind, WheelKind> table(&kExternalWheel, &kRingWheel, &kBevelWheel,
-                                                        &kPulleyWheel);
+                                                        &kPulleyWheel, &kWormWheel, &kThroatedWheel);
   return table;
 }
 

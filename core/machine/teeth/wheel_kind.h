@@ -27,6 +27,8 @@ struct WheelKind {
   HalfTooth (*tooth)(const GearSpec& spec, double tolerance) = nullptr;
   /// The wheel with a helix, of one whose measures are those of the normal section.
   GearSpec (*withHelix)(GearSpec normal, double helixAngle) = helical;
+  /// How large the teeth are, as toothSize(); null: the spec's module.
+  double (*toothSize)(const GearSpec& spec) = nullptr;
   /// The face width where the document gives none, a length; null: so many modules.
   double (*usualFace)(const GearSpec& spec) = nullptr;
   /// As contactRatio() (tooth_pair.h), of a wheel `a` of this kind. Unused without teeth.

@@ -1,5 +1,7 @@
 #include "core/machine/train/pair_wheels.h"
 
+#include "core/machine/teeth/worm.h"
+
 namespace geargraph {
 namespace {
 
@@ -8,6 +10,7 @@ constexpr PairWheels kDiscInRing{GearKind::external, GearKind::internal};
 constexpr PairWheels kTwoCones{GearKind::bevel, GearKind::bevel};
 constexpr PairWheels kTwoPulleys{GearKind::pulley, GearKind::pulley};
 constexpr PairWheels kWormAndWheel{GearKind::worm, GearKind::wormWheel};
+static_assert(kMaxStarts == kMaxWormStarts);
 constexpr PairWheels kNoWheels{.smaller = GearKind::pulley, .larger = GearKind::pulley, .none = true};
 
 }  // namespace

@@ -83,7 +83,7 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
       if (isAcross && planes[p].movable) return std::nullopt;
       if (isAcross) continue;
       thickness = std::max(thickness, wheel.spec.faceWidth);
-      stack.gap = std::max(stack.gap, kPlaneGap * wheel.spec.module);
+      stack.gap = std::max(stack.gap, kPlaneGap * toothSize(wheel.spec));
       stack.wheels.push_back({static_cast<int>(p), wheel.link, wheel.axisGroup, middleOf(wheel).dot(axis)});
       for (std::size_t c = 0; c < classes.classes.size(); ++c) {
         if (envelopes.covers(w, static_cast<int>(c)))
@@ -131,7 +131,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
     double step = 0;
     for (const GearOrdinal w : plane.wheels) {
       const GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
-      step = std::max(step, spec.faceWidth + gap * spec.module);
+      step = std::max(step, spec.faceWidth + gap * toothSize(spec));
     }
     near.clear();
     for (const GearOrdinal w : plane.wheels) {

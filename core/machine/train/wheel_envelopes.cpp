@@ -100,7 +100,7 @@ WheelEnvelopes::Envelope WheelEnvelopes::envelopeOf(const TrainWheel& wheel, boo
   envelope.outer = outerRadius(wheel.spec);
   envelope.orbit = m_orbits[wheel.axisGroup];
   envelope.hasArm = hasArms && !envelope.bevel;
-  const double arm = envelope.hasArm ? kArmAllowance * wheel.spec.module : 0;
+  const double arm = envelope.hasArm ? kArmAllowance * toothSize(wheel.spec) : 0;
   envelope.hull = hullOf(wheel, envelope.low - arm, envelope.high + arm, envelope.outer);
   double low = envelope.low - arm, high = envelope.high + arm, outer = envelope.outer;
   if (envelope.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
@@ -172,7 +172,7 @@ bool WheelEnvelopes::covers(GearOrdinal wheel, AxisGroupOrdinal axisGroup) const
   const auto c = static_cast<std::size_t>(axisGroup);
   if (covering.bevel || covering.axisGroup == axisGroup || !areParallel(covering.axis, m_lines[c]))
     return false;
-  const double shaft = 2 * m_train.wheels[static_cast<std::size_t>(wheel)].spec.module;
+  const double shaft = 2 * toothSize(m_train.wheels[static_cast<std::size_t>(wheel)].spec);
   const double nearest = nearestAxes(covering.orbit, m_orbits[c], covering.axis);
   const double now = acrossPart(m_orbits[c].at - covering.orbit.at, covering.axis).norm();
   const double touch = kSameLine * covering.outer;

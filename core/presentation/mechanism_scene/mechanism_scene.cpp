@@ -109,7 +109,7 @@ void SceneBuilder::addGear(const TrainGear& gear, std::size_t position) {
   if (isToothless) noteToothless(gear);
   Instance& instance = add(gear.link, (*detail(kMaxTolerance))->solid(), gear.pose);
   if (DetailLevels& levels = levelsOf(instance.solid); levels.finer.empty()) {
-    levels.unit = gear.spec.module;
+    levels.unit = toothSize(gear.spec);
     levels.error = kMaxTolerance;
     std::vector<double> finer{kFarTolerance, kScreenTolerance};
     // Of a large train who sees a wheel from close by sees few of them, and all would have to be made.

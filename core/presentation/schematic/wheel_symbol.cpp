@@ -55,7 +55,7 @@ constexpr WheelSymbol kConeSymbol{.frame = FrameSymbol::behind, .setBar = setSlo
 
 KindTable<GearKind, WheelSymbol>& wheelSymbols() {
   static constinit KindTable<GearKind, WheelSymbol> table(&kDiscSymbol, &kRingSymbol, &kConeSymbol,
-                                                          &kDiscSymbol);
+                                                          &kDiscSymbol, &kDiscSymbol, &kDiscSymbol);
   return table;
 }
 

@@ -98,7 +98,7 @@ class ModelMaker {
     constexpr double kModules = 2;
     constexpr double kWithoutGears = 0.005;  // m
     double radius = kWithoutGears;
-    if (!m_train.gears.empty()) radius = kModules * m_train.gears.front().spec.module * m_model.metres;
+    if (!m_train.gears.empty()) radius = kModules * toothSize(m_train.gears.front().spec) * m_model.metres;
     link.isBall = true;
     link.body.mass = m_model.density * 4 / 3 * std::numbers::pi * radius * radius * radius;
     link.body.center = link.origin;

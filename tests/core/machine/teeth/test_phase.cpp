@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <QtTest>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,39 @@ class PhaseTest : public QObject {
       const double other = start + phase.sign * 20.0 / 30 * turn;
       QVERIFY(std::abs(phaseError(phase, a, 0.1 + turn, b, other)) < 1e-12);
       QVERIFY(std::abs(phaseError(phase, a, 0.1 + turn, b, other + 0.1 * 2 * pi / 30)) > 0.09);
+    }
+  }
+
+  /// On crossed axes the teeth move alike along their normal: n . (v_a - v_b) = 0 at the pitch point is the
+  /// ratio of the teeth with the sign of the phase, whichever wheel the normal is taken from.
+  void crossedAxesTurnAtTheRatioOfTheirPhase() {
+    for (const double helixA : {-1.2, -0.7, -0.2, 0.3, 0.8, 1.3}) {
+      for (const double helixB : {-0.9, -0.4, 0.15, 0.6, 1.1}) {
+        const int teethA = 3, teethB = 40;
+        const double ra = teethA / 2.0 / std::cos(helixA), rb = teethB / 2.0 / std::cos(helixB);
+        const double crossing = -helixA - helixB;
+        for (const int way : {1, -1}) {  // an axis may be the other way round
+          PhaseWheel a{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitX(), teethA, std::tan(helixA) / ra};
+          PhaseWheel b{Vector3d(ra + rb, 0, 0), way * Vector3d(0, -std::sin(crossing), std::cos(crossing)),
+                       Vector3d::UnitX(), teethB, std::tan(helixB) / rb};
+          const Vector3d point(ra, 0, 0);
+          const Vector3d normal = pitchPlaneNormal(a, point);
+          QVERIFY(std::abs(std::abs(normal.dot(pitchPlaneNormal(b, point))) - 1) < 1e-12);
+          const double speedA = a.axis.cross(point - a.centre).dot(normal);
+          const double speedB = b.axis.cross(point - b.centre).dot(normal);
+          const MeshPhase phase = meshPhase(a, b, point);
+          QVERIFY(std::abs(teethA * speedB - phase.sign * teethB * speedA) < 1e-9);
+          QCOMPARE(meshPhase(a, b, point, -normal).sign, phase.sign);
+          QCOMPARE(meshPhase(a, b, point, pitchPlaneNormal(b, point)).sign, phase.sign);
+          QCOMPARE(meshPhase(b, a, point).sign, phase.sign);
+          const double start = meshingAngle(phase, a, 0.1, b);
+          QVERIFY(std::abs(phaseError(phase, a, 0.9, b, start + phase.sign * 0.8 * teethA / teethB)) < 1e-12);
+          const PhaseMesh mesh{0, 1, point, normal};
+          const std::array<PhaseWheel, 2> both{a, b};
+          const PhaseSolution solution = solvePhases(both, std::span(&mesh, 1));
+          QVERIFY(std::abs(phaseError(phase, a, solution.angles[0], b, solution.angles[1])) < 1e-12);
+        }
+      }
     }
   }
 

@@ -28,7 +28,7 @@ struct RobotCoupling {
                                                  CouplingMatrix which) const {
     WrittenCoupling written;
     written.size = coupling.size();
-    std::vector<WrittenNumber> numbers;
+    std::vector<CouplingNumber> numbers;
     for (const Rational& each : matrix) numbers.push_back({each, 0, each.toString()});
     (which == CouplingMatrix::motorToJoint ? written.motorToJoint : written.jointToMotor) = numbers;
     return namesOf(written);
@@ -98,7 +98,7 @@ class JointCouplingTest : public QObject {
     WrittenCoupling written;
     written.size = 3;
     const auto numbers = [](const std::vector<Rational>& matrix) {
-      std::vector<WrittenNumber> all;
+      std::vector<CouplingNumber> all;
       for (const Rational& each : matrix) all.push_back({each, 0, each.toString()});
       return all;
     };
