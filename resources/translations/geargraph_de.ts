@@ -776,10 +776,6 @@
         <translation>Momente der geschlossenen Bremsen und Kupplungen</translation>
     </message>
     <message>
-        <source>Torques on the gears of every mesh, tooth forces, and the power that it passes</source>
-        <translation>Momente an den Rädern jedes Zahneingriffs, Zahnkräfte und übertragene Leistung</translation>
-    </message>
-    <message>
         <source>What holds each link in its turning joint: force and moment</source>
         <translation>Was jedes Glied in seinem Drehgelenk hält: Kraft und Moment</translation>
     </message>
@@ -3139,10 +3135,6 @@
         <translation>Vorige Übersetzung durch diese</translation>
     </message>
     <message>
-        <source>Power taken over power fed, with the drive driving</source>
-        <translation>Entnommene durch zugeführte Leistung, wenn der Antrieb treibt</translation>
-    </message>
-    <message>
         <source>The efficiency with all known torques reversed: the output drives</source>
         <translation>Wirkungsgrad mit umgekehrten bekannten Momenten: Der Abtrieb treibt</translation>
     </message>
@@ -5047,14 +5039,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>T: torque in a joint; M: torque of a mesh on the part beyond the joint; both about the joint&apos;s axis. What the joint cuts off, and what crosses, is lit in all views.</source>
         <translation>T: Moment in einem Gelenk; M: Moment eines Zahneingriffs auf den Teil jenseits des Gelenks; beide um die Achse des Gelenks. Was das Gelenk abschneidet und was hinüberführt, leuchtet in allen Ansichten auf.</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes</source>
-        <translation>Wirkungsgrad und Momente über dem Verhältnis zweier Drehzahlen oder über dem Wirkungsgrad der Zahneingriffe</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -7703,10 +7687,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>Not drawn, as shared in unknown parts: forces at meshes %1, reactions in joints %2. Choose Share by stiffness in Forces to find them.</source>
         <translation>Nicht gezeichnet, da zu unbekannten Teilen geteilt: Kräfte an den Zahneingriffen %1, Reaktionen in den Gelenken %2. Unter Kräfte ergeben sie sich mit „Nach Steifigkeit aufteilen“.</translation>
-    </message>
-    <message>
-        <source>The power taken over the power fed; backward and in symbols it is on the card Efficiency.</source>
-        <translation>Die entnommene durch die zugeführte Leistung; rückwärts und in Formelzeichen steht sie auf der Karte Wirkungsgrad.</translation>
     </message>
     <message>
         <source>Let go</source>
@@ -19124,6 +19104,274 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>A worm wheel of %1 teeth is wider than its worm is thick: make its face width at most %2.</source>
         <translation>Ein Schneckenrad mit %1 Zähnen ist breiter, als seine Schnecke dick ist: Machen Sie seine Zahnbreite höchstens %2.</translation>
+    </message>
+    <message>
+        <source>The joint, the link, the brake or the clutch that a torque acts in or on.</source>
+        <translation>Das Gelenk, das Glied, die Bremse oder die Kupplung, in oder an der ein Moment wirkt.</translation>
+    </message>
+    <message>
+        <source>The link that the torque acts on, and for a clutch the one that has the reaction.</source>
+        <translation>Das Glied, an dem das Moment wirkt, bei einer Kupplung auch das mit der Reaktion.</translation>
+    </message>
+    <message>
+        <source>part in it</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>A motor turns a joint at a given speed, or holds it; its torque is given or found. A load is given, a balance is found. A brake holds its link, a clutch joins two.</source>
+        <translation>Ein Motor dreht ein Gelenk mit gegebener Drehgeschwindigkeit oder hält es; sein Moment ist gegeben oder gesucht. Eine Last ist gegeben, ein Ausgleichsmoment gesucht. Eine Bremse hält ihr Glied, eine Kupplung verbindet zwei.</translation>
+    </message>
+    <message>
+        <source>How fast it turns about its axis.</source>
+        <translation>Wie schnell es sich um seine Achse dreht.</translation>
+    </message>
+    <message>
+        <source>Torque times rate: what is fed into the train here; below 0: what is taken. A clutch passes power between its links, a brake passes none.</source>
+        <translation>Moment mal Drehgeschwindigkeit: was dem Getriebe hier zugeführt wird; unter 0: was entnommen wird. Eine Kupplung leitet Leistung zwischen ihren Gliedern weiter, eine Bremse keine.</translation>
+    </message>
+    <message>
+        <source>held, found</source>
+        <translation>gehalten, gesucht</translation>
+    </message>
+    <message>
+        <source>motor, given</source>
+        <translation>Motor, gegeben</translation>
+    </message>
+    <message>
+        <source>motor, found</source>
+        <translation>Motor, gesucht</translation>
+    </message>
+    <message>
+        <source>balance, found</source>
+        <translation>Ausgleich, gesucht</translation>
+    </message>
+    <message>
+        <source>joins</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>An efficiency or a coefficient of friction of a mesh is among its properties; friction becomes an efficiency by the teeth that touch.</source>
+        <translation>Wirkungsgrad oder Reibungszahl eines Zahneingriffs stehen unter seinen Eigenschaften; aus der Reibung wird über die Zähne im Eingriff ein Wirkungsgrad.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction μ = %1 of meshes that state none</source>
+        <translation>Reibungszahl μ = %1 der Zahneingriffe ohne eigene Angabe</translation>
+    </message>
+    <message>
+        <source>mesh %1: η = %2</source>
+        <translation>Zahneingriff %1: η = %2</translation>
+    </message>
+    <message>
+        <source>mesh %1: μ = %2</source>
+        <translation>Zahneingriff %1: μ = %2</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Torque, rate and power where the train is driven, loaded and held</source>
+        <translation>Moment, Drehgeschwindigkeit und Leistung, wo das Getriebe angetrieben, belastet und gehalten wird</translation>
+    </message>
+    <message>
+        <source>What every mesh passes, seen from its carrier, and what it loses of that</source>
+        <translation>Was jeder Zahneingriff vom Steg aus gesehen weiterleitet und was er davon verliert</translation>
+    </message>
+    <message>
+        <source>Efficiency forward and backward, where the train locks itself, and both over the ratio of two speeds or over the efficiency of the meshes</source>
+        <translation>Wirkungsgrad vorwärts und rückwärts, wo das Getriebe selbsthemmend wird, und beide über dem Verhältnis zweier Drehzahlen oder dem Wirkungsgrad der Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>Torques on the gears of every mesh, and tooth forces</source>
+        <translation>Momente an den Rädern jedes Zahneingriffs und Zahnkräfte</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>Verluste</translation>
+    </message>
+    <message>
+        <source>What do I need?</source>
+        <translation>Was brauche ich?</translation>
+    </message>
+    <message>
+        <source>The torques at motors, brakes and clutches, as engaged and in each state</source>
+        <translation>Die Momente an Motoren, Bremsen und Kupplungen, wie geschaltet und in jedem Schaltzustand</translation>
+    </message>
+    <message>
+        <source>Where does it go?</source>
+        <translation>Wohin geht es?</translation>
+    </message>
+    <message>
+        <source>Power, losses, power that circulates, and efficiency forward and backward</source>
+        <translation>Leistung, Verluste, Blindleistung und Wirkungsgrad vorwärts und rückwärts</translation>
+    </message>
+    <message>
+        <source>What do parts carry?</source>
+        <translation>Was tragen die Teile?</translation>
+    </message>
+    <message>
+        <source>The forces on teeth and bearings</source>
+        <translation>Die Kräfte an Zähnen und Lagern</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>The cutset whose torques balance, and the row of speeds with its column of torques</source>
+        <translation>Die Schnittmenge, deren Momente sich aufheben, und die Zeile der Drehzahlen mit ihrer Spalte der Momente</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Schaltzustand</translation>
+    </message>
+    <message>
+        <source>No load acts and nothing is held: add a load.</source>
+        <translation>Keine Last wirkt und nichts wird gehalten: fügen Sie eine Last hinzu.</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Show or hide the loads that act on the train</source>
+        <translation>Die Lasten zeigen oder verbergen, die am Getriebe wirken</translation>
+    </message>
+    <message>
+        <source>Unit of the loads</source>
+        <translation>Einheit der Lasten</translation>
+    </message>
+    <message>
+        <source>Loads: %1</source>
+        <translation>Lasten: %1</translation>
+    </message>
+    <message>
+        <source>Found at %1 ▾</source>
+        <translation>Gesucht an %1 ▾</translation>
+    </message>
+    <message>
+        <source>Found at %1 places ▾</source>
+        <translation>Gesucht an %1 Stellen ▾</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>What is asked about the torques</source>
+        <translation>Was nach den Momenten gefragt wird</translation>
+    </message>
+    <message>
+        <source>Choose a joint or a mesh in the list above, in a table or in a drawing.</source>
+        <translation>Wählen Sie ein Gelenk oder einen Zahneingriff in der Liste oben, in einer Tabelle oder in einer Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Joint or mesh that is explained</source>
+        <translation>Gelenk oder Zahneingriff, das erklärt wird</translation>
+    </message>
+    <message>
+        <source>The joint or the mesh whose torque is explained; it is selected in all views</source>
+        <translation>Das Gelenk oder der Zahneingriff, dessen Moment erklärt wird; in allen Ansichten ausgewählt</translation>
+    </message>
+    <message>
+        <source>All torques are found twice, by the cutsets of the Matroid method and by those of the T–T graph.</source>
+        <translation>Alle Momente werden zweimal bestimmt: mit den Schnittmengen der Matroid-Methode und mit denen des T–T-Graphen.</translation>
+    </message>
+    <message>
+        <source>The cutset: which torques balance</source>
+        <translation>Die Schnittmenge: welche Momente sich aufheben</translation>
+    </message>
+    <message>
+        <source>A joint cuts off links from the ground: all torques that cross add up to 0. Of a mesh: which gear drives.</source>
+        <translation>Ein Gelenk trennt Glieder vom Gestell: alle Momente über den Schnitt ergeben zusammen 0. Bei einem Zahneingriff: welches Rad treibt.</translation>
+    </message>
+    <message>
+        <source>The row of speeds and its column of torques</source>
+        <translation>Die Zeile der Drehzahlen und ihre Spalte der Momente</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint; one entry is in both.</source>
+        <translation>Eine Zeile von P enthält die Drehzahlen eines Zahneingriffs, eine Spalte das Moment in einem Gelenk; ein Eintrag steht in beiden.</translation>
+    </message>
+    <message>
+        <source>choose a joint or a mesh</source>
+        <translation>Gelenk oder Zahneingriff wählen</translation>
+    </message>
+    <message>
+        <source>mesh %1: %2, %3</source>
+        <translation>Zahneingriff %1: %2, %3</translation>
+    </message>
+    <message>
+        <source>The link that drives in the state.</source>
+        <translation>Das Glied, das in dem Schaltzustand antreibt.</translation>
+    </message>
+    <message>
+        <source>The link that is driven in the state.</source>
+        <translation>Das Glied, das in dem Schaltzustand angetrieben wird.</translation>
+    </message>
+    <message>
+        <source>The brakes and clutches that it engages.</source>
+        <translation>Die Bremsen und Kupplungen, die er schließt.</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving; none while the meshes state no losses</source>
+        <translation>Entnommene durch zugeführte Leistung, wenn der Antrieb antreibt; keiner, solange die Zahneingriffe keine Verluste angeben</translation>
+    </message>
+    <message>
+        <source>beside</source>
+        <translation>neben</translation>
+    </message>
+    <message>
+        <source>State that is compared</source>
+        <translation>Verglichener Schaltzustand</translation>
+    </message>
+    <message>
+        <source>A state of the gearbox that is compared with the other one</source>
+        <translation>Ein Schaltzustand des Getriebes, der mit dem anderen verglichen wird</translation>
+    </message>
+    <message>
+        <source>Two states side by side</source>
+        <translation>Zwei Schaltzustände nebeneinander</translation>
+    </message>
+    <message>
+        <source>speed in joint %1, link %2</source>
+        <translation>Drehzahl in Gelenk %1, Glied %2</translation>
+    </message>
+    <message>
+        <source>How fast the head turns against the tail, for 1 at the drive</source>
+        <translation>Wie schnell sich die Spitze gegen den Fuß dreht, bei 1 am Antrieb</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>The ratio of the one state over that of the other</source>
+        <translation>Die Übersetzung des einen durch die des anderen</translation>
+    </message>
+    <message>
+        <source>%1, N m</source>
+        <translation>%1, N m</translation>
+    </message>
+    <message>
+        <source>The largest ratio over the smallest, of the states that turn forward</source>
+        <translation>Die größte Übersetzung durch die kleinste, der Vorwärtsgänge</translation>
+    </message>
+    <message>
+        <source>spread %1</source>
+        <translation>Spreizung %1</translation>
+    </message>
+    <message>
+        <source>Compare states</source>
+        <translation>Zustände vergleichen</translation>
+    </message>
+    <message>
+        <source>Two states side by side: ratios, torques, efficiencies, speeds</source>
+        <translation>Zwei Schaltzustände nebeneinander: Übersetzungen, Momente, Wirkungsgrade, Drehzahlen</translation>
+    </message>
+    <message>
+        <source>Export the table with drive, driven, what is engaged and steps to a CSV file</source>
+        <translation>Die Tabelle mit Antrieb, Abtrieb, geschlossenen Schaltelementen und Stufensprüngen als CSV-Datei exportieren</translation>
     </message>
 </context>
 <context>

@@ -776,10 +776,6 @@
         <translation>Momentos de los frenos y embragues activados</translation>
     </message>
     <message>
-        <source>Torques on the gears of every mesh, tooth forces, and the power that it passes</source>
-        <translation>Momentos en las ruedas de cada engrane, fuerzas en los dientes y potencia que transmite</translation>
-    </message>
-    <message>
         <source>What holds each link in its turning joint: force and moment</source>
         <translation>Lo que sostiene a cada eslabón en su par de revolución: fuerza y momento</translation>
     </message>
@@ -3139,10 +3135,6 @@
         <translation>La relación anterior entre esta</translation>
     </message>
     <message>
-        <source>Power taken over power fed, with the drive driving</source>
-        <translation>Potencia extraída entre aportada, accionando la entrada</translation>
-    </message>
-    <message>
         <source>The efficiency with all known torques reversed: the output drives</source>
         <translation>El rendimiento con todos los momentos conocidos invertidos: acciona la salida</translation>
     </message>
@@ -5047,14 +5039,6 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>T: torque in a joint; M: torque of a mesh on the part beyond the joint; both about the joint&apos;s axis. What the joint cuts off, and what crosses, is lit in all views.</source>
         <translation>T: momento en un par; M: momento de un engrane sobre la parte más allá del par; ambos respecto al eje del par. Lo que el par separa y lo que cruza se ilumina en todas las vistas.</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Gráficos</translation>
-    </message>
-    <message>
-        <source>Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes</source>
-        <translation>Rendimiento y momentos sobre la razón de dos velocidades o sobre el rendimiento de los engranes</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -7703,10 +7687,6 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>Not drawn, as shared in unknown parts: forces at meshes %1, reactions in joints %2. Choose Share by stiffness in Forces to find them.</source>
         <translation>No se dibujan, por repartirse en partes desconocidas: fuerzas en los engranes %1, reacciones en los pares %2. Elija «Repartir por rigidez» en Fuerzas para hallarlas.</translation>
-    </message>
-    <message>
-        <source>The power taken over the power fed; backward and in symbols it is on the card Efficiency.</source>
-        <translation>La potencia extraída entre la aportada; hacia atrás y en símbolos está en la tarjeta Rendimiento.</translation>
     </message>
     <message>
         <source>Let go</source>
@@ -19124,6 +19104,274 @@ pares / portasatélites: %3</translation>
     <message>
         <source>A worm wheel of %1 teeth is wider than its worm is thick: make its face width at most %2.</source>
         <translation>Una corona de %1 dientes es más ancha que el grosor de su tornillo: haga su ancho de cara como máximo %2.</translation>
+    </message>
+    <message>
+        <source>The joint, the link, the brake or the clutch that a torque acts in or on.</source>
+        <translation>El par, el eslabón, el freno o el embrague en el que actúa un par de fuerzas.</translation>
+    </message>
+    <message>
+        <source>The link that the torque acts on, and for a clutch the one that has the reaction.</source>
+        <translation>El eslabón sobre el que actúa el par y, en un embrague, el que recibe la reacción.</translation>
+    </message>
+    <message>
+        <source>part in it</source>
+        <translation>función</translation>
+    </message>
+    <message>
+        <source>A motor turns a joint at a given speed, or holds it; its torque is given or found. A load is given, a balance is found. A brake holds its link, a clutch joins two.</source>
+        <translation>Un motor gira un par a la velocidad dada o lo sujeta; su par de fuerzas se da o se halla. Una carga se da, un equilibrante se halla. Un freno sujeta su eslabón, un embrague une dos.</translation>
+    </message>
+    <message>
+        <source>How fast it turns about its axis.</source>
+        <translation>Con qué rapidez gira alrededor de su eje.</translation>
+    </message>
+    <message>
+        <source>Torque times rate: what is fed into the train here; below 0: what is taken. A clutch passes power between its links, a brake passes none.</source>
+        <translation>Par por velocidad: lo que se suministra aquí al tren; por debajo de 0: lo que se extrae. Un embrague transmite potencia entre sus eslabones, un freno ninguna.</translation>
+    </message>
+    <message>
+        <source>held, found</source>
+        <translation>sujeto, hallado</translation>
+    </message>
+    <message>
+        <source>motor, given</source>
+        <translation>motor, dado</translation>
+    </message>
+    <message>
+        <source>motor, found</source>
+        <translation>motor, hallado</translation>
+    </message>
+    <message>
+        <source>balance, found</source>
+        <translation>equilibrante, hallado</translation>
+    </message>
+    <message>
+        <source>joins</source>
+        <translation>une</translation>
+    </message>
+    <message>
+        <source>An efficiency or a coefficient of friction of a mesh is among its properties; friction becomes an efficiency by the teeth that touch.</source>
+        <translation>El rendimiento o el coeficiente de rozamiento de un engrane está entre sus propiedades; el rozamiento se convierte en rendimiento por los dientes en contacto.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction μ = %1 of meshes that state none</source>
+        <translation>Coeficiente de rozamiento μ = %1 de los engranes que no indican otro</translation>
+    </message>
+    <message>
+        <source>mesh %1: η = %2</source>
+        <translation>engrane %1: η = %2</translation>
+    </message>
+    <message>
+        <source>mesh %1: μ = %2</source>
+        <translation>engrane %1: μ = %2</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 más</translation>
+    </message>
+    <message>
+        <source>Torque, rate and power where the train is driven, loaded and held</source>
+        <translation>Par, velocidad y potencia donde el tren es accionado, cargado y sujetado</translation>
+    </message>
+    <message>
+        <source>What every mesh passes, seen from its carrier, and what it loses of that</source>
+        <translation>Lo que transmite cada engrane visto desde su portasatélites y lo que pierde de ello</translation>
+    </message>
+    <message>
+        <source>Efficiency forward and backward, where the train locks itself, and both over the ratio of two speeds or over the efficiency of the meshes</source>
+        <translation>Rendimiento hacia delante y hacia atrás, dónde el tren se autobloquea, y ambos según la relación de dos velocidades o el rendimiento de los engranes</translation>
+    </message>
+    <message>
+        <source>Torques on the gears of every mesh, and tooth forces</source>
+        <translation>Pares sobre las ruedas de cada engrane y fuerzas en los dientes</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>Pérdidas</translation>
+    </message>
+    <message>
+        <source>What do I need?</source>
+        <translation>¿Qué necesito?</translation>
+    </message>
+    <message>
+        <source>The torques at motors, brakes and clutches, as engaged and in each state</source>
+        <translation>Los pares en motores, frenos y embragues, según lo activado y en cada estado</translation>
+    </message>
+    <message>
+        <source>Where does it go?</source>
+        <translation>¿Adónde va?</translation>
+    </message>
+    <message>
+        <source>Power, losses, power that circulates, and efficiency forward and backward</source>
+        <translation>Potencia, pérdidas, potencia circulante y rendimiento en ambos sentidos</translation>
+    </message>
+    <message>
+        <source>What do parts carry?</source>
+        <translation>¿Qué soportan las piezas?</translation>
+    </message>
+    <message>
+        <source>The forces on teeth and bearings</source>
+        <translation>Las fuerzas en dientes y cojinetes</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>¿Por qué?</translation>
+    </message>
+    <message>
+        <source>The cutset whose torques balance, and the row of speeds with its column of torques</source>
+        <translation>El conjunto de corte cuyos pares se equilibran y la fila de velocidades con su columna de pares</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>No load acts and nothing is held: add a load.</source>
+        <translation>No actúa ninguna carga y nada está sujeto: añada una carga.</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Cargas</translation>
+    </message>
+    <message>
+        <source>Show or hide the loads that act on the train</source>
+        <translation>Mostrar u ocultar las cargas que actúan sobre el tren</translation>
+    </message>
+    <message>
+        <source>Unit of the loads</source>
+        <translation>Unidad de las cargas</translation>
+    </message>
+    <message>
+        <source>Loads: %1</source>
+        <translation>Cargas: %1</translation>
+    </message>
+    <message>
+        <source>Found at %1 ▾</source>
+        <translation>Se halla en %1 ▾</translation>
+    </message>
+    <message>
+        <source>Found at %1 places ▾</source>
+        <translation>Se halla en %1 lugares ▾</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Pregunta</translation>
+    </message>
+    <message>
+        <source>What is asked about the torques</source>
+        <translation>Qué se pregunta sobre los pares</translation>
+    </message>
+    <message>
+        <source>Choose a joint or a mesh in the list above, in a table or in a drawing.</source>
+        <translation>Elija un par o un engrane en la lista de arriba, en una tabla o en un dibujo.</translation>
+    </message>
+    <message>
+        <source>Joint or mesh that is explained</source>
+        <translation>Par o engrane que se explica</translation>
+    </message>
+    <message>
+        <source>The joint or the mesh whose torque is explained; it is selected in all views</source>
+        <translation>El par o el engrane cuyo par de fuerzas se explica; queda seleccionado en todas las vistas</translation>
+    </message>
+    <message>
+        <source>All torques are found twice, by the cutsets of the Matroid method and by those of the T–T graph.</source>
+        <translation>Todos los pares se hallan dos veces: por los conjuntos de corte del método Matroid y por los del grafo T–T.</translation>
+    </message>
+    <message>
+        <source>The cutset: which torques balance</source>
+        <translation>El conjunto de corte: qué pares se equilibran</translation>
+    </message>
+    <message>
+        <source>A joint cuts off links from the ground: all torques that cross add up to 0. Of a mesh: which gear drives.</source>
+        <translation>Un par separa eslabones del bastidor: todos los pares de fuerzas que cruzan suman 0. De un engrane: qué rueda acciona.</translation>
+    </message>
+    <message>
+        <source>The row of speeds and its column of torques</source>
+        <translation>La fila de velocidades y su columna de pares</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint; one entry is in both.</source>
+        <translation>Una fila de P contiene las velocidades de un engrane, una columna el par en una articulación; un elemento está en ambas.</translation>
+    </message>
+    <message>
+        <source>choose a joint or a mesh</source>
+        <translation>elegir un par o un engrane</translation>
+    </message>
+    <message>
+        <source>mesh %1: %2, %3</source>
+        <translation>engrane %1: %2, %3</translation>
+    </message>
+    <message>
+        <source>The link that drives in the state.</source>
+        <translation>El eslabón que acciona en el estado.</translation>
+    </message>
+    <message>
+        <source>The link that is driven in the state.</source>
+        <translation>El eslabón que es accionado en el estado.</translation>
+    </message>
+    <message>
+        <source>The brakes and clutches that it engages.</source>
+        <translation>Los frenos y embragues que activa.</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving; none while the meshes state no losses</source>
+        <translation>Potencia extraída entre potencia suministrada, cuando acciona la entrada; ninguno mientras los engranes no indiquen pérdidas</translation>
+    </message>
+    <message>
+        <source>beside</source>
+        <translation>junto a</translation>
+    </message>
+    <message>
+        <source>State that is compared</source>
+        <translation>Estado que se compara</translation>
+    </message>
+    <message>
+        <source>A state of the gearbox that is compared with the other one</source>
+        <translation>Un estado de la caja de cambios que se compara con el otro</translation>
+    </message>
+    <message>
+        <source>Two states side by side</source>
+        <translation>Dos estados uno junto al otro</translation>
+    </message>
+    <message>
+        <source>speed in joint %1, link %2</source>
+        <translation>velocidad en el par %1, eslabón %2</translation>
+    </message>
+    <message>
+        <source>How fast the head turns against the tail, for 1 at the drive</source>
+        <translation>Con qué rapidez gira la cabeza respecto a la cola, para 1 en la entrada</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>The ratio of the one state over that of the other</source>
+        <translation>La relación de un estado entre la del otro</translation>
+    </message>
+    <message>
+        <source>%1, N m</source>
+        <translation>%1, N m</translation>
+    </message>
+    <message>
+        <source>The largest ratio over the smallest, of the states that turn forward</source>
+        <translation>La mayor relación entre la menor, de los estados que giran hacia delante</translation>
+    </message>
+    <message>
+        <source>spread %1</source>
+        <translation>apertura %1</translation>
+    </message>
+    <message>
+        <source>Compare states</source>
+        <translation>Comparar estados</translation>
+    </message>
+    <message>
+        <source>Two states side by side: ratios, torques, efficiencies, speeds</source>
+        <translation>Dos estados uno junto al otro: relaciones, pares, rendimientos, velocidades</translation>
+    </message>
+    <message>
+        <source>Export the table with drive, driven, what is engaged and steps to a CSV file</source>
+        <translation>Exportar la tabla con entrada, salida, elementos activados y saltos a un archivo CSV</translation>
     </message>
 </context>
 <context>

@@ -776,10 +776,6 @@
         <translation>Devredeki fren ve kavramaların torkları</translation>
     </message>
     <message>
-        <source>Torques on the gears of every mesh, tooth forces, and the power that it passes</source>
-        <translation>Her dişli çiftinin dişlilerindeki torklar, diş kuvvetleri ve ilettiği güç</translation>
-    </message>
-    <message>
         <source>What holds each link in its turning joint: force and moment</source>
         <translation>Her uzvu döner mafsalında tutan: kuvvet ve moment</translation>
     </message>
@@ -3138,10 +3134,6 @@
         <translation>Önceki oran bölü bu oran</translation>
     </message>
     <message>
-        <source>Power taken over power fed, with the drive driving</source>
-        <translation>Giriş tahrik ederken alınan güç bölü verilen güç</translation>
-    </message>
-    <message>
         <source>The efficiency with all known torques reversed: the output drives</source>
         <translation>Bilinen bütün torklar ters çevrildiğinde verim: çıkış tahrik eder</translation>
     </message>
@@ -5046,14 +5038,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>T: torque in a joint; M: torque of a mesh on the part beyond the joint; both about the joint&apos;s axis. What the joint cuts off, and what crosses, is lit in all views.</source>
         <translation>T: bir mafsaldaki tork; M: bir dişli çiftinin mafsalın ötesindeki parçaya torku; ikisi de mafsalın ekseni etrafında. Mafsalın ayırdığı parça ve karşıya geçenler tüm görünümlerde parlar.</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Grafikler</translation>
-    </message>
-    <message>
-        <source>Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes</source>
-        <translation>İki hızın oranına ya da dişli çiftlerinin verimine göre verim ve torklar</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -7702,10 +7686,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>Not drawn, as shared in unknown parts: forces at meshes %1, reactions in joints %2. Choose Share by stiffness in Forces to find them.</source>
         <translation>Bilinmeyen oranlarda paylaşıldığı için çizilmedi: %1 dişli çiftlerindeki kuvvetler, %2 mafsallarındaki tepkiler. Bulmak için Kuvvetler&apos;de “Rijitliğe göre paylaştır”ı seçin.</translation>
-    </message>
-    <message>
-        <source>The power taken over the power fed; backward and in symbols it is on the card Efficiency.</source>
-        <translation>Alınan gücün verilen güce oranı; ters yönde ve simgelerle Verim kartındadır.</translation>
     </message>
     <message>
         <source>Let go</source>
@@ -19123,6 +19103,274 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>A worm wheel of %1 teeth is wider than its worm is thick: make its face width at most %2.</source>
         <translation>%1 dişli sonsuz vida çarkı, vidasının kalınlığından daha geniş: diş genişliğini en çok %2 yapın.</translation>
+    </message>
+    <message>
+        <source>The joint, the link, the brake or the clutch that a torque acts in or on.</source>
+        <translation>Torkun içinde ya da üzerinde etkidiği mafsal, uzuv, fren veya kavrama.</translation>
+    </message>
+    <message>
+        <source>The link that the torque acts on, and for a clutch the one that has the reaction.</source>
+        <translation>Torkun etkidiği uzuv; kavramada tepkiyi alan da.</translation>
+    </message>
+    <message>
+        <source>part in it</source>
+        <translation>görevi</translation>
+    </message>
+    <message>
+        <source>A motor turns a joint at a given speed, or holds it; its torque is given or found. A load is given, a balance is found. A brake holds its link, a clutch joins two.</source>
+        <translation>Motor bir mafsalı verilen hızda döndürür ya da tutar; torku verilir ya da bulunur. Yük verilir, denge bulunur. Fren uzvunu tutar, kavrama iki uzvu birleştirir.</translation>
+    </message>
+    <message>
+        <source>How fast it turns about its axis.</source>
+        <translation>Ekseni etrafında ne kadar hızlı döndüğü.</translation>
+    </message>
+    <message>
+        <source>Torque times rate: what is fed into the train here; below 0: what is taken. A clutch passes power between its links, a brake passes none.</source>
+        <translation>Tork çarpı hız: burada dişli takımına verilen; 0&apos;ın altında: alınan. Kavrama uzuvları arasında güç geçirir, fren geçirmez.</translation>
+    </message>
+    <message>
+        <source>held, found</source>
+        <translation>tutulur, bulunan</translation>
+    </message>
+    <message>
+        <source>motor, given</source>
+        <translation>motor, verilen</translation>
+    </message>
+    <message>
+        <source>motor, found</source>
+        <translation>motor, bulunan</translation>
+    </message>
+    <message>
+        <source>balance, found</source>
+        <translation>denge, bulunan</translation>
+    </message>
+    <message>
+        <source>joins</source>
+        <translation>birleştirir</translation>
+    </message>
+    <message>
+        <source>An efficiency or a coefficient of friction of a mesh is among its properties; friction becomes an efficiency by the teeth that touch.</source>
+        <translation>Bir dişli çiftinin verimi ya da sürtünme katsayısı özelliklerindedir; sürtünme, temas eden dişler üzerinden verime dönüşür.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction μ = %1 of meshes that state none</source>
+        <translation>Kendi değeri olmayan dişli çiftlerinin sürtünme katsayısı μ = %1</translation>
+    </message>
+    <message>
+        <source>mesh %1: η = %2</source>
+        <translation>dişli çifti %1: η = %2</translation>
+    </message>
+    <message>
+        <source>mesh %1: μ = %2</source>
+        <translation>dişli çifti %1: μ = %2</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 tane daha</translation>
+    </message>
+    <message>
+        <source>Torque, rate and power where the train is driven, loaded and held</source>
+        <translation>Dişli takımının tahrik edildiği, yüklendiği ve tutulduğu yerlerde tork, hız ve güç</translation>
+    </message>
+    <message>
+        <source>What every mesh passes, seen from its carrier, and what it loses of that</source>
+        <translation>Her dişli çiftinin taşıyıcısından bakıldığında geçirdiği ve bundan kaybettiği</translation>
+    </message>
+    <message>
+        <source>Efficiency forward and backward, where the train locks itself, and both over the ratio of two speeds or over the efficiency of the meshes</source>
+        <translation>İleri ve geri verim, dişli takımının nerede kendini kilitlediği, ve ikisinin iki hızın oranına ya da dişli çiftlerinin verimine göre grafiği</translation>
+    </message>
+    <message>
+        <source>Torques on the gears of every mesh, and tooth forces</source>
+        <translation>Her dişli çiftinin dişlilerindeki torklar ve diş kuvvetleri</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>Kayıplar</translation>
+    </message>
+    <message>
+        <source>What do I need?</source>
+        <translation>Neye ihtiyacım var?</translation>
+    </message>
+    <message>
+        <source>The torques at motors, brakes and clutches, as engaged and in each state</source>
+        <translation>Motorlardaki, frenlerdeki ve kavramalardaki torklar, şimdiki haliyle ve her durumda</translation>
+    </message>
+    <message>
+        <source>Where does it go?</source>
+        <translation>Nereye gidiyor?</translation>
+    </message>
+    <message>
+        <source>Power, losses, power that circulates, and efficiency forward and backward</source>
+        <translation>Güç, kayıplar, dolaşan güç, ileri ve geri verim</translation>
+    </message>
+    <message>
+        <source>What do parts carry?</source>
+        <translation>Parçalar ne taşıyor?</translation>
+    </message>
+    <message>
+        <source>The forces on teeth and bearings</source>
+        <translation>Dişlerdeki ve yataklardaki kuvvetler</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Neden?</translation>
+    </message>
+    <message>
+        <source>The cutset whose torques balance, and the row of speeds with its column of torques</source>
+        <translation>Torkları dengelenen kesitleme ve torkların sütunuyla birlikte hızların satırı</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Durum</translation>
+    </message>
+    <message>
+        <source>No load acts and nothing is held: add a load.</source>
+        <translation>Hiçbir yük etkimiyor ve hiçbir şey tutulmuyor: bir yük ekleyin.</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Yükler</translation>
+    </message>
+    <message>
+        <source>Show or hide the loads that act on the train</source>
+        <translation>Dişli takımına etkiyen yükleri göster ya da gizle</translation>
+    </message>
+    <message>
+        <source>Unit of the loads</source>
+        <translation>Yüklerin birimi</translation>
+    </message>
+    <message>
+        <source>Loads: %1</source>
+        <translation>Yükler: %1</translation>
+    </message>
+    <message>
+        <source>Found at %1 ▾</source>
+        <translation>%1 üzerinde bulunur ▾</translation>
+    </message>
+    <message>
+        <source>Found at %1 places ▾</source>
+        <translation>%1 yerde bulunur ▾</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Soru</translation>
+    </message>
+    <message>
+        <source>What is asked about the torques</source>
+        <translation>Torklar hakkında ne sorulduğu</translation>
+    </message>
+    <message>
+        <source>Choose a joint or a mesh in the list above, in a table or in a drawing.</source>
+        <translation>Yukarıdaki listeden, bir tablodan ya da bir çizimden bir mafsal veya dişli çifti seçin.</translation>
+    </message>
+    <message>
+        <source>Joint or mesh that is explained</source>
+        <translation>Açıklanan mafsal ya da dişli çifti</translation>
+    </message>
+    <message>
+        <source>The joint or the mesh whose torque is explained; it is selected in all views</source>
+        <translation>Torku açıklanan mafsal ya da dişli çifti; tüm görünümlerde seçilir</translation>
+    </message>
+    <message>
+        <source>All torques are found twice, by the cutsets of the Matroid method and by those of the T–T graph.</source>
+        <translation>Tüm torklar iki kez bulunur: Matroid yönteminin ve T–T grafının kesitlemeleriyle.</translation>
+    </message>
+    <message>
+        <source>The cutset: which torques balance</source>
+        <translation>Kesitleme: hangi torklar dengelenir</translation>
+    </message>
+    <message>
+        <source>A joint cuts off links from the ground: all torques that cross add up to 0. Of a mesh: which gear drives.</source>
+        <translation>Bir mafsal uzuvları sabit uzuvdan keser: kesiti geçen tüm torkların toplamı 0&apos;dır. Dişli çiftinde: hangi dişlinin tahrik ettiği.</translation>
+    </message>
+    <message>
+        <source>The row of speeds and its column of torques</source>
+        <translation>Hızların satırı ve torkların sütunu</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint; one entry is in both.</source>
+        <translation>P&apos;nin bir satırı bir dişli çiftinin hızlarını, bir sütunu bir mafsaldaki torku verir; bir öge ikisindedir.</translation>
+    </message>
+    <message>
+        <source>choose a joint or a mesh</source>
+        <translation>mafsal ya da dişli çifti seçin</translation>
+    </message>
+    <message>
+        <source>mesh %1: %2, %3</source>
+        <translation>dişli çifti %1: %2, %3</translation>
+    </message>
+    <message>
+        <source>The link that drives in the state.</source>
+        <translation>Bu durumda tahrik eden uzuv.</translation>
+    </message>
+    <message>
+        <source>The link that is driven in the state.</source>
+        <translation>Bu durumda tahrik edilen uzuv.</translation>
+    </message>
+    <message>
+        <source>The brakes and clutches that it engages.</source>
+        <translation>Devreye aldığı frenler ve kavramalar.</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving; none while the meshes state no losses</source>
+        <translation>Giriş tahrik ederken alınan gücün verilen güce oranı; dişli çiftleri kayıp belirtmedikçe yoktur</translation>
+    </message>
+    <message>
+        <source>beside</source>
+        <translation>yanında</translation>
+    </message>
+    <message>
+        <source>State that is compared</source>
+        <translation>Karşılaştırılan durum</translation>
+    </message>
+    <message>
+        <source>A state of the gearbox that is compared with the other one</source>
+        <translation>Vites kutusunun diğeriyle karşılaştırılan durumu</translation>
+    </message>
+    <message>
+        <source>Two states side by side</source>
+        <translation>Yan yana iki durum</translation>
+    </message>
+    <message>
+        <source>speed in joint %1, link %2</source>
+        <translation>mafsal %1, uzuv %2 hızı</translation>
+    </message>
+    <message>
+        <source>How fast the head turns against the tail, for 1 at the drive</source>
+        <translation>Girişte 1 iken başın kuyruğa göre ne kadar hızlı döndüğü</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>değer</translation>
+    </message>
+    <message>
+        <source>The ratio of the one state over that of the other</source>
+        <translation>Bir durumun oranı bölü diğerininki</translation>
+    </message>
+    <message>
+        <source>%1, N m</source>
+        <translation>%1, N m</translation>
+    </message>
+    <message>
+        <source>The largest ratio over the smallest, of the states that turn forward</source>
+        <translation>İleri dönen durumların en büyük oranı bölü en küçüğü</translation>
+    </message>
+    <message>
+        <source>spread %1</source>
+        <translation>yayılım %1</translation>
+    </message>
+    <message>
+        <source>Compare states</source>
+        <translation>Durumları karşılaştır</translation>
+    </message>
+    <message>
+        <source>Two states side by side: ratios, torques, efficiencies, speeds</source>
+        <translation>Yan yana iki durum: oranlar, torklar, verimler, hızlar</translation>
+    </message>
+    <message>
+        <source>Export the table with drive, driven, what is engaged and steps to a CSV file</source>
+        <translation>Tabloyu giriş, çıkış, devredeki elemanlar ve basamaklarla CSV dosyasına aktar</translation>
     </message>
 </context>
 <context>

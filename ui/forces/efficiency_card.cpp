@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mechanism/model/load_edits.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
-#include "ui/panels/number_field.h"
-#include "ui/theme/theme_colors.h"
+#include "ui/panels/mesh_efficiency_field.h"
 
 namespace geargraph {
 namespace {
@@ -137,7 +135,8 @@ EfficiencyCard::EfficiencyCard(Document* document, QWidget* parent)
       m_document(document),
       m_answers(new Answers(&workOut, this)),
       m_slider(new QSlider(Qt::Horizontal, this)),
-      m_field(new NumberField(this)),
+      m_field(new MeshEfficiencyField(document, this)),
+      m_own(new QLabel(this)),
       m_locking(new QLabel(this)),
       m_formula(new QLabel(this)) {
   setProperty("look", "card");
@@ -149,6 +148,13 @@ EfficiencyCard::EfficiencyCard(Document* document, QWidget* parent)
   title->setProperty("look", "title");
   layout->addWidget(title);
   makeMover();
+  m_own->setObjectName(QStringLiteral("ownLosses"));
+  m_own->setProperty("look", "hint");
+  m_own->setWordWrap(true);
+  m_own->setToolTip(
+      tr("An efficiency or a coefficient of friction of a mesh is among its properties; friction becomes an "
+         "efficiency by the teeth that touch."));
+  layout->addWidget(m_own);
   makeValue("forward", tr("forward"), tr("Power taken over power fed."));
   makeValue("backward", tr("backward"),
             tr("The efficiency of the same motion with all known torques reversed: the output drives."));
@@ -176,9 +182,7 @@ EfficiencyCard::EfficiencyCard(Document* document, QWidget* parent)
 }
 
 void EfficiencyCard::makeMover() {
-  const QString meaning =
-      tr("The efficiency of meshes that state none: the power that a mesh delivers over what it takes, "
-         "seen from its carrier. Empty: they lose nothing.");
+  const QString meaning = MeshEfficiencyField::meaning();
   auto* title = new QLabel(tr("η of a mesh"), this);
   title->setProperty("look", "hint");
   title->setToolTip(meaning);
@@ -187,24 +191,13 @@ void EfficiencyCard::makeMover() {
   m_slider->setAccessibleName(tr("Efficiency of a mesh"));
   m_slider->setMinimumWidth(60);
   m_field->setObjectName(QStringLiteral("meshEfficiency"));
-  m_field->setAccessibleName(m_slider->accessibleName());
-  m_field->setOptional(true);
-  m_field->setEmptyText(tr("none"));
-  m_field->setStep(Rational(1, 100));
-  m_field->setFixedWidth(scaledPixels(84));
-  for (QWidget* widget : {static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_field)})
-    widget->setToolTip(meaning);
+  m_slider->setToolTip(meaning);
   connect(m_slider, &QSlider::actionTriggered, this, [this] {
     if (!m_slider->isSliderDown()) m_gesture = m_document->newGesture();
   });
   connect(m_slider, &QSlider::sliderPressed, this, [this] { m_gesture = m_document->newGesture(); });
-  connect(m_slider, &QSlider::valueChanged, this,
-          [this](int steps) { setEfficiency(Number(Rational(steps, kSteps))); });
-  connect(m_field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
-  connect(m_field, &NumberField::edited, this, [this](const std::optional<Number>& eta) {
-    if (eta && (eta->exact().sign() <= 0 || eta->exact() > Rational(1)))
-      return m_field->reject(tr("An efficiency is above 0 and at most 1."));
-    setEfficiency(eta);
+  connect(m_slider, &QSlider::valueChanged, this, [this](int steps) {
+    MeshEfficiencyField::apply(*m_document, Number(Rational(steps, kSteps)), m_gesture);
   });
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
@@ -234,19 +227,11 @@ void EfficiencyCard::makeValue(const char* name, const QString& title, const QSt
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
-void EfficiencyCard::setEfficiency(const std::optional<Number>& efficiency) {
-  m_document->apply(
-      {tr("Set efficiency"),
-       [efficiency](const Mechanism& before) { return withDefaultLosses(before, efficiency, std::nullopt); },
-       m_gesture});
-}
-
 /// What the document states.
 void EfficiencyCard::showStated() {
   const Mechanism& mechanism = *m_document->mechanism();
   const std::optional<Number> stated =
       mechanism.gearDefaults ? mechanism.gearDefaults->efficiency : std::nullopt;
-  m_field->setNumber(stated);
   const QSignalBlocker quiet(m_slider);
   m_slider->setValue(stated ? qRound(stated->value() * kSteps) : kSteps);
   const bool hasFriction = mechanism.gearDefaults && mechanism.gearDefaults->friction;
@@ -256,6 +241,32 @@ void EfficiencyCard::showStated() {
                        : hasFriction ? tr("An efficiency replaces the coefficient of friction that the "
                                           "document states for all meshes.")
                                      : m_field->toolTip());
+  m_own->setText(ownLosses());
+  m_own->setVisible(!m_own->text().isEmpty());
+}
+
+/// "Friction 0.05 in all meshes that state nothing. Meshes 9 (η 0.99) and 10 (μ 0.04) state their own."
+QString EfficiencyCard::ownLosses() const {
+  const Mechanism& mechanism = *m_document->mechanism();
+  QStringList sentences;
+  if (mechanism.gearDefaults && mechanism.gearDefaults->friction)
+    sentences += tr("Coefficient of friction μ = %1 of meshes that state none")
+                     .arg(withPrintedMinus(shownText(mechanism.gearDefaults->friction->text())));
+  constexpr qsizetype kMaxNames = 4;
+  QStringList own;
+  int count = 0;
+  for (int i = 0; i < mechanism.c(); ++i) {
+    const GearMesh& mesh = mechanism.gearMeshes[static_cast<std::size_t>(i)];
+    if (!mesh.efficiency && !mesh.friction) continue;
+    ++count;
+    if (own.size() == kMaxNames) continue;
+    own += mesh.efficiency
+               ? tr("mesh %1: η = %2").arg(mechanism.meshLabel(i)).arg(shownText(mesh.efficiency->text()))
+               : tr("mesh %1: μ = %2").arg(mechanism.meshLabel(i)).arg(shownText(mesh.friction->text()));
+  }
+  if (count > own.size()) own += tr("%1 more").arg(count - own.size());
+  if (!own.empty()) sentences += own.join(QStringLiteral(", "));
+  return sentences.join(QStringLiteral("; "));
 }
 
 void EfficiencyCard::show(const ForcesPtr& forces) {

@@ -11,7 +11,7 @@ class QLabel;
 class QSlider;
 
 namespace geargraph {
-class NumberField;
+class MeshEfficiencyField;
 }  // namespace geargraph
 
 namespace geargraph {
@@ -47,18 +47,19 @@ class EfficiencyCard : public QFrame {
   void makeMover();
   void makeValue(const char* name, const QString& title, const QString& meaning);
   void showStated();
+  [[nodiscard]] QString ownLosses() const;
   void showValues();
   void showValue(const char* name, const std::optional<LossySolution>& solution,
                  const std::optional<PowerSums>& sums);
   void showAnswer();
   void ask();
-  void setEfficiency(const std::optional<Number>& efficiency);
 
   Document* m_document;
   ForcesPtr m_forces;
   Answers* m_answers;
   QSlider* m_slider;
-  NumberField* m_field;
+  MeshEfficiencyField* m_field;
+  QLabel* m_own;  ///< what meshes state themselves
   QLabel* m_locking;
   QLabel* m_formula;
   quint64 m_gesture = 0;

@@ -50,6 +50,7 @@ void ExplanationLabel::explain() {
   const QString text = m_isAwake && m_forces && m_forces->report ? words(highlighted) : QString();
   setText(text);
   setVisible(!text.isEmpty());
+  emit filled(!text.isEmpty());
   m_selection->setFallbackHighlight(std::move(highlighted));
 }
 

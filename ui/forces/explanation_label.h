@@ -21,6 +21,10 @@ class ExplanationLabel : public QLabel {
   /// While it is hidden nothing is explained or highlighted.
   void setAwake(bool awake);
 
+ signals:
+  /// Emitted when there is something to explain, or no longer.
+  void filled(bool isFilled);
+
  private:
   void explain();
   /// The explanation; empty unless a single explainable element is selected. `highlighted`: the elements to

@@ -1,8 +1,5 @@
 // What the window has to know of the panel of forces, and what this panel shares with other views.
 
-#include <QLabel>
-#include <QStackedWidget>
-
 #include "ui/forces/duality_line.h"
 #include "ui/forces/forces_caption.h"
 #include "ui/forces/forces_panel.h"
@@ -32,17 +29,14 @@ void shareEntry(DualityLine& line, MatricesPanel& matrices, Views& views) {
 
 }  // namespace
 
-QString ForcesPanel::emptyText() const {
-  return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
-}
-
 ViewEntry forcesView() {
   return {.id = QStringLiteral("forces"),
           .title = ForcesPanel::tr("Forces"),
           .purpose = ForcesPanel::tr("Loads, and the torques, forces and powers that they cause."),
           .helpPage = QStringLiteral("forces-and-dynamics"),
           .searchWords = QStringLiteral(
-              "torque force load moment power flow efficiency losses statics bearing reaction self-locking"),
+              "torque force load moment power flow efficiency losses statics bearing reaction self-locking "
+              "circulating sharing friction cutset"),
           .place = ViewPlace::bottom,
           .make = [](Views& views, QWidget* parent) -> ResultsView* {
             ForcesService& service = views.workbench().forces();

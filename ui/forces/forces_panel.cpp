@@ -5,107 +5,73 @@
 #include <QButtonGroup>
 #include <QClipboard>
 #include <QComboBox>
-#include <QEvent>
-#include <QFrame>
 #include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/mechanism/model/load_edits.h"
 #include "ui/forces/duality_line.h"
 #include "ui/forces/efficiency_card.h"
 #include "ui/forces/efficiency_page.h"
+#include "ui/forces/efficiency_view.h"
 #include "ui/forces/explanation_label.h"
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
+#include "ui/forces/question_bar.h"
+#include "ui/forces/totals_strip.h"
+#include "ui/forces/why_page.h"
 #include "ui/models/term_tips.h"
-#include "ui/theme/application_theme.h"
 #include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/flow_layout.h"
 #include "ui/theme/looks.h"
-#include "ui/theme/sideways_scroll.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph {
 namespace {
 
-QString tipOf(ForceTableKind kind) {
-  switch (kind) {
-    case ForceTableKind::joints:
-      return ForcesPanel::tr("Torque, rate and power in every turning joint, and of what acts on links");
-    case ForceTableKind::couplings:
-      return ForcesPanel::tr("Torques of the brakes and clutches that are engaged");
-    case ForceTableKind::meshes:
-      return ForcesPanel::tr(
-          "Torques on the gears of every mesh, tooth forces, and the power that it passes");
-    case ForceTableKind::bearings:
-      return ForcesPanel::tr("What holds each link in its turning joint: force and moment");
-    case ForceTableKind::powers:
-      return ForcesPanel::tr("What every element delivers to each of its links, seen from the ground");
-    case ForceTableKind::circulations:
-      return ForcesPanel::tr("Power that goes round in loops, beside what goes through the train");
-    case ForceTableKind::states:
-      return ForcesPanel::tr("Torques of the couplings and efficiency in every state of the gearbox");
-  }
-  return {};
-}
-
-constexpr int kPlotsChip = 1000;  ///< beyond all kinds of tables
-constexpr int kCardWidth = 216;
-constexpr int kRoomForCard = 1080;  ///< px at which the card of the efficiency has a column of its own
-
-/// Every kind, in the order of the chips.
-std::vector<ForceTableKind> kindsOfChips() {
-  std::vector<ForceTableKind> kinds = allForceTableKinds();
-  kinds.push_back(ForceTableKind::states);
-  return kinds;
-}
+constexpr int kLeastTable = 100;  ///< px of height
+constexpr int kLowPanel = 260;    ///< px of height
+constexpr int kLoadsPart = 3;     ///< loads take at most this part of the height
 
 }  // namespace
 
 ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent)
     : QWidget(parent),
       m_document(document),
+      m_selection(selection),
       m_service(service),
       m_model(new ForceTableModel(this)),
-      m_loads(new LoadsList(document, selection, this)),
+      m_questions(new QuestionBar(this)),
       m_table(new LinkedTable(m_model, selection, this)),
       m_pages(new QStackedWidget(this)),
-      m_plots(new EfficiencyPage(this)),
-      m_card(new EfficiencyCard(document, this)),
+      m_efficiency(new EfficiencyView(document, this)),
       m_empty(emptyLabel(this)),
-      m_remark(new QLabel(this)),
-      m_explanation(new ExplanationLabel(selection, this)) {
-  m_remark->setObjectName(QStringLiteral("forcesRemark"));
-  m_remark->setWordWrap(true);
-  m_remark->setTextFormat(Qt::PlainText);
-  m_remark->setContentsMargins(12, 2, 12, 4);
+      m_remark(new QLabel(this)) {
+  makeQuestions();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addWidget(new SidewaysScroll(makeBar(), this));
-  layout->addWidget(makeMiddle(), 1);
-  layout->addWidget(new SidewaysScroll(makeTotals(), this));
-  m_duality = new DualityLine(selection, this);
-  m_dualityStrip = new SidewaysScroll(m_duality, this);
-  m_dualityStrip->setVisible(false);
-  connect(m_duality, &DualityLine::filled, this, [this](bool filled) {
-    m_isDualityFilled = filled;
-    showDuality();
-  });
-  // A table of few rows leaves room for what is below it.
-  m_pages->setMinimumHeight(scaledPixels(100));
-  layout->addWidget(m_dualityStrip);
-  // What is shared, and beside it what decides the shares.
-  auto* remark = new QHBoxLayout;
-  remark->setContentsMargins(0, 0, 10, 0);
-  remark->addWidget(m_remark, 1);
-  remark->addStretch();  // where there is no remark
-  remark->addWidget(makeShareButton(), 0, Qt::AlignVCenter);
-  layout->addLayout(remark);
-  layout->addWidget(m_explanation);
+  layout->addWidget(m_questions);
+  layout->addWidget(makeControls());
+  layout->addWidget(m_loads);
+  layout->addWidget(m_pages, 1);
+  layout->addWidget(makeFooter());
+  m_table->setObjectName(QStringLiteral("forceTable"));
+  m_table->setAccessibleName(tr("Forces"));
+  auto* tablePage = new QWidget(this);
+  auto* tableLayout = new QVBoxLayout(tablePage);
+  tableLayout->setContentsMargins(8, 0, 0, 0);  // as far in as the controls above
+  tableLayout->addWidget(m_table);
+  m_tablePage = tablePage;
+  m_pages->addWidget(m_tablePage);
+  m_pages->addWidget(m_empty);
+  m_pages->addWidget(m_efficiency);
+  m_pages->addWidget(m_why);
+  m_pages->setMinimumHeight(scaledPixels(kLeastTable));
+  connect(&m_efficiency->plots(), &EfficiencyPage::tableChanged, this, &ForcesPanel::showPage);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
 
@@ -114,201 +80,232 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
     m_empty->setText(tr("The torques could not be worked out: %1").arg(why));
     m_pages->setCurrentWidget(m_empty);
   });
-  showForces();
+  updateStates(*document->mechanism());
+  present(ForceView::needs);
 }
 
-QWidget* ForcesPanel::makeBar() {
-  auto* bar = new QWidget(this);
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(12, 6, 10, 2);
-  layout->setSpacing(4);
+ForcesPanel::~ForcesPanel() = default;
+
+void ForcesPanel::makeQuestions() {
+  connect(m_questions, &QuestionBar::asked, this, &ForcesPanel::ask);
+  m_states = new QComboBox(this);
+  m_states->setObjectName(QStringLiteral("forcesState"));
+  m_states->setAccessibleName(tr("State"));
+  m_states->setToolTip(tr("The state whose brakes and clutches are engaged"));
+  connect(m_states, &QComboBox::activated, this, [this](int at) { showState(at - 1); });
+  m_copy =
+      controlButton(QStringLiteral("copyForces"), tr("Copy"), tr("Copy the table for a spreadsheet"), this);
+  connect(m_copy, &QToolButton::clicked, this, &ForcesPanel::copy);
+  m_export = controlButton(QStringLiteral("exportForces"), tr("CSV…"),
+                           tr("Export the table with its units to a CSV file"), this);
+  connect(m_export, &QToolButton::clicked, this, &ForcesPanel::wantExport);
+  for (QWidget* control :
+       {static_cast<QWidget*>(m_states), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_export)})
+    m_questions->addControl(control);
+}
+
+/// The views of the question, and what belongs to it alone.
+QWidget* ForcesPanel::makeControls() {
+  auto* row = new QWidget(this);
+  auto* flow = new FlowLayout(row);
+  flow->setContentsMargins(12, 2, 10, 2);
+  flow->setSpacing(4);
   m_chips = new QButtonGroup(this);
-  const auto addChip = [&](const QString& text, const QString& name, const QString& tip, int id) {
-    auto* chip = new QToolButton(bar);
-    chip->setText(text);
-    chip->setObjectName(QStringLiteral("chip.") + name);
-    chip->setToolTip(tip);
+  for (const ForceViewEntry& entry : forceViewEntries()) {
+    if (entry.title.isEmpty()) continue;  // the only view of its question
+    auto* chip = new QToolButton(row);
+    chip->setText(entry.title);
+    chip->setObjectName(QStringLiteral("chip.") + entry.name);
+    chip->setToolTip(entry.tip);
     chip->setCheckable(true);
     chip->setProperty("look", "chip");
-    m_chips->addButton(chip, id);
-    layout->addWidget(chip);
-  };
-  for (const ForceTableKind kind : kindsOfChips())
-    addChip(shownText(forceTableTitle(kind)), shownText(forceTableCommandName(kind)), tipOf(kind),
-            static_cast<int>(kind));
-  addChip(tr("Plots"), QStringLiteral("plots"),
-          tr("Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes"),
-          kPlotsChip);
-  m_chips->button(static_cast<int>(ForceTableKind::joints))->setChecked(true);
-  connect(m_chips, &QButtonGroup::idClicked, this,
-          [this](int id) { id == kPlotsChip ? showPlots() : showTable(static_cast<ForceTableKind>(id)); });
-  layout->addStretch(1);
-  m_states = new QComboBox(bar);
-  m_states->setObjectName(QStringLiteral("forcesState"));
-  m_states->setToolTip(tr("The state whose brakes and clutches are engaged"));
-  connect(m_states, &QComboBox::activated, this, [this] { ask(); });
-  layout->addWidget(m_states);
-  m_copy =
-      controlButton(QStringLiteral("copyForces"), tr("Copy"), tr("Copy the table for a spreadsheet"), bar);
-  connect(m_copy, &QToolButton::clicked, this, &ForcesPanel::copy);
-  layout->addWidget(m_copy);
-  m_export = controlButton(QStringLiteral("exportForces"), tr("CSV…"),
-                           tr("Export the table with its units to a CSV file"), bar);
-  connect(m_export, &QToolButton::clicked, this, &ForcesPanel::wantExport);
-  layout->addWidget(m_export);
-  return bar;
+    m_chips->addButton(chip, static_cast<int>(entry.view));
+    flow->addWidget(chip);
+  }
+  connect(m_chips, &QButtonGroup::idClicked, this, [this](int id) { showView(static_cast<ForceView>(id)); });
+  m_loads = new LoadsList(m_document, m_selection, *flow, row);
+  m_totals = std::make_unique<TotalsStrip>(*flow, row);
+  m_why = new WhyPage(m_selection, *flow, row);
+  return row;
 }
 
-QWidget* ForcesPanel::makeMiddle() {
-  m_table->setObjectName(QStringLiteral("forceTable"));
-  m_table->setAccessibleName(tr("Forces"));
-  m_pages->addWidget(m_table);
-  m_pages->addWidget(m_empty);
-  m_pages->addWidget(m_plots);
-  connect(m_plots, &EfficiencyPage::tableChanged, this, [this] { showPage(); });
-
-  m_side = new QWidget(this);
-  auto* column = new QVBoxLayout(m_side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  column->addWidget(m_loads);
-  column->addStretch(1);
-  m_side->installEventFilter(this);
-  m_sideView = new QScrollArea(this);
-  m_sideView->setWidget(m_side);
-  auto* middle = new QWidget(this);
-  // The card is higher than the panel need be.
-  m_cardView = new QScrollArea(middle);
-  m_cardView->setWidget(m_card);
-  m_cardView->setMinimumWidth(scaledPixels(kCardWidth));
-  for (QScrollArea* view : {m_sideView, m_cardView}) {
-    view->setFrameShape(QFrame::NoFrame);
-    view->setWidgetResizable(true);
-    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    view->setFocusPolicy(Qt::NoFocus);  // what is in it has
-  }
-  auto* row = new QHBoxLayout(middle);
-  row->setContentsMargins(0, 0, 10, 0);
-  row->setSpacing(6);
-  row->addWidget(m_sideView);
-  row->addWidget(m_pages, 1);
-  row->addWidget(m_cardView);
-  return middle;
+/// What has to be known of the answer, and beside it what decides how loads are shared.
+QWidget* ForcesPanel::makeFooter() {
+  m_remark->setObjectName(QStringLiteral("forcesRemark"));
+  m_remark->setWordWrap(true);
+  m_remark->setTextFormat(Qt::PlainText);
+  m_share = controlButton(QStringLiteral("shareByStiffness"), tr("Share by stiffness"),
+                          tr("Meshes that share a load in unknown parts: assume that all teeth are equally "
+                             "stiff, without clearance, on rigid bodies"),
+                          this);
+  m_share->setCheckable(true);
+  connect(m_share, &QToolButton::clicked, this, [this](bool isOn) {
+    const auto sharing = isOn ? std::optional(LoadSharing::stiffness) : std::nullopt;
+    m_document->apply(
+        {tr("Set load sharing"),
+         [sharing](const Mechanism& before) -> Expected<Mechanism> { return withSharing(before, sharing); },
+         0});
+  });
+  auto* footer = new QWidget(this);
+  auto* row = new QHBoxLayout(footer);
+  row->setContentsMargins(12, 0, 10, 2);
+  row->addWidget(m_remark, 1);
+  row->addStretch();  // where there is no remark
+  row->addWidget(m_share, 0, Qt::AlignVCenter);
+  return footer;
 }
 
 void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
   updateStates(*snapshot->mechanism);
-  ask();
+  askService();
 }
 
 void ForcesPanel::setAwake(bool awake) {
+  m_isAwake = awake;
   m_service->setWatched(this, awake);
-  m_explanation->setAwake(awake);
+  m_why->setAwake(m_isAwake && m_view == ForceView::why);
 }
 
 /// "As engaged", then those of the document; the one that was chosen stays by its name.
 void ForcesPanel::updateStates(const Mechanism& mechanism) {
   QStringList names{tr("as engaged")};
   for (const ShiftState& state : mechanism.states) names += tr("state %1").arg(shownText(state.name));
-  const bool hasCouplings = !mechanism.couplings.empty();
-  m_chips->button(static_cast<int>(ForceTableKind::couplings))->setVisible(hasCouplings);
-  if (!hasCouplings && m_model->kind() == ForceTableKind::couplings) showTable(ForceTableKind::joints);
   QStringList there;
   for (int i = 0; i < m_states->count(); ++i) there += m_states->itemText(i);
-  if (names == there) return;
-  const QString chosen = m_states->currentText();
-  m_states->clear();
-  m_states->addItems(names);
-  const auto at = names.indexOf(chosen);
-  m_states->setCurrentIndex(at > 0 ? static_cast<int>(at) : 0);
-  const bool hasStates = names.size() > 1;
-  m_states->setVisible(hasStates);
-  m_chips->button(static_cast<int>(ForceTableKind::states))->setVisible(hasStates);
-  if (!hasStates && m_model->kind() == ForceTableKind::states) showTable(ForceTableKind::joints);
+  if (names != there) {
+    const QString chosen = m_states->currentText();
+    m_states->clear();
+    m_states->addItems(names);
+    const auto at = names.indexOf(chosen);
+    m_states->setCurrentIndex(at > 0 ? static_cast<int>(at) : 0);
+    m_states->setVisible(names.size() > 1);
+  }
+  chooseUsualView(mechanism);
+  showControls();
 }
 
-void ForcesPanel::ask() {
+/// Of a gearbox in which nothing is engaged, the torques in its states answer what is needed.
+void ForcesPanel::chooseUsualView(const Mechanism& mechanism) {
+  if (m_isViewChosen && isPossible(m_lastViews[ForceQuestion::need])) return;
+  m_isViewChosen = false;
+  const bool isForStates = !mechanism.states.empty() && mechanism.engaged.empty() &&
+                           mechanism.loads.empty() && m_states->currentIndex() <= 0;
+  const ForceView usual = isForStates ? ForceView::states : ForceView::needs;
+  m_lastViews[ForceQuestion::need] = usual;
+  if (questionOf(m_view) == ForceQuestion::need && m_view != usual) present(usual);
+}
+
+bool ForcesPanel::isPossible(ForceView view) const {
+  const Mechanism& mechanism = *m_document->mechanism();
+  if (view == ForceView::couplings) return !mechanism.couplings.empty();
+  return view != ForceView::states || !mechanism.states.empty();
+}
+
+void ForcesPanel::askService() {
   const ForcesQuestion question{std::max(m_states->currentIndex(), 0) - 1, {}};
   if (question != m_service->question()) m_service->ask(question);
 }
 
-void ForcesPanel::showTable(ForceTableKind kind) {
-  m_chips->button(static_cast<int>(kind))->setChecked(true);
-  m_model->show(forces(), kind);
+void ForcesPanel::ask(ForceQuestion question) {
+  const auto last = m_lastViews.find(question);
+  if (last != m_lastViews.end() && isPossible(last->second)) return present(last->second);
+  const std::vector<ForceViewEntry> views = forceViewEntries();
+  present(std::find_if(views.begin(), views.end(), [question](const ForceViewEntry& each) {
+            return each.question == question;
+          })->view);
+}
+
+void ForcesPanel::showView(ForceView view) {
+  if (questionOf(view) == ForceQuestion::need) m_isViewChosen = true;
+  present(view);
+}
+
+void ForcesPanel::present(ForceView view) {
+  m_view = view;
+  m_lastViews[questionOf(view)] = view;
+  m_questions->choose(questionOf(view));
+  if (QAbstractButton* chip = m_chips->button(static_cast<int>(view)); chip != nullptr)
+    chip->setChecked(true);
+  showControls();
+  m_why->setAwake(m_isAwake && view == ForceView::why);
   showForces();
 }
 
-void ForcesPanel::showPlots() {
-  m_chips->button(kPlotsChip)->setChecked(true);
-  showForces();
-}
-
-bool ForcesPanel::showsPlots() const {
-  return m_chips->checkedId() == kPlotsChip;
+void ForcesPanel::showControls() {
+  const ForceQuestion question = questionOf(m_view);
+  for (QAbstractButton* chip : m_chips->buttons()) {
+    const auto view = static_cast<ForceView>(m_chips->id(chip));
+    chip->setVisible(questionOf(view) == question && isPossible(view));
+  }
+  m_loads->setShown(question == ForceQuestion::need);
+  m_totals->setVisible(question == ForceQuestion::flow && m_view != ForceView::efficiency);
+  m_why->setShown(question == ForceQuestion::why);
 }
 
 bool ForcesPanel::isUpToDate() const {
-  return m_service->isComplete() && m_card->isUpToDate() && (!showsPlots() || m_plots->isUpToDate());
+  return m_service->isComplete() && (m_view != ForceView::efficiency || m_efficiency->isUpToDate());
 }
 
 void ForcesPanel::showState(int state) {
   if (state + 1 >= m_states->count()) return;
   m_states->setCurrentIndex(state + 1);
-  ask();
+  if (state >= 0 && m_view == ForceView::states) present(ForceView::needs);  // the one that was asked for
+  askService();
 }
 
 void ForcesPanel::showForces() {
-  m_model->show(forces(), m_model->kind());
-  m_plots->show(forces());
-  m_card->show(forces());
+  m_model->show(forces(), kindOf(m_view).value_or(m_model->kind()));
+  m_efficiency->show(forces());
+  m_totals->show(forces());
+  m_why->show(forces());
   showPage();
-  showTotals();
+  showShare();
   showRemark();
   m_table->selectRowOfSelection();
-  m_duality->show(forces());
-  m_explanation->show(forces());
 }
 
-/// The table, the plots, or why there is neither.
+/// The view, or why there is nothing in it.
 void ForcesPanel::showPage() {
-  const bool plots = showsPlots();
-  const QString why = plots ? QString() : whyEmpty();
+  const bool isPlot = m_view == ForceView::efficiency;
+  const QString why = isPlot ? QString() : whyEmpty();
   m_empty->setText(why);
-  m_pages->setCurrentWidget(plots           ? static_cast<QWidget*>(m_plots)
-                            : why.isEmpty() ? static_cast<QWidget*>(m_table)
-                                            : m_empty);
-  const QString none = plots ? m_plots->emptyText() : why;
-  showDuality();
-  for (QToolButton* button : {m_copy, m_export}) button->setEnabled(none.isEmpty());
-  if (!plots && why.isEmpty()) m_table->resizeColumnsToContents();
-}
-
-/// Plots need the room, and show no entry that is shared.
-void ForcesPanel::showDuality() {
-  m_dualityStrip->setVisible(m_isDualityFilled && m_pages->currentWidget() != m_plots);
+  m_pages->setCurrentWidget(isPlot                     ? static_cast<QWidget*>(m_efficiency)
+                            : !why.isEmpty()           ? static_cast<QWidget*>(m_empty)
+                            : m_view == ForceView::why ? static_cast<QWidget*>(m_why)
+                                                       : m_tablePage);
+  const QString none = isPlot ? m_efficiency->plots().emptyText() : why;
+  for (QToolButton* button : {m_copy, m_export})
+    button->setEnabled(none.isEmpty() && m_view != ForceView::why);
+  if (m_pages->currentWidget() == m_tablePage)
+    m_table->fitColumns([this](int column) { return showsColumn(m_view, column); });
 }
 
 QString ForcesPanel::whyEmpty() const {
   const ForcesPtr& shown = forces();
   if (!shown) return tr("Torques and forces appear here as soon as the mechanism is analysed.");
-  if (m_model->rowCount() > 0) return {};
   if (!shown->report) {
     for (const Diagnostic& diagnostic : shown->snapshot->diagnostics)
       if (diagnostic.severity() == Severity::error) return shownText(diagnostic.message);
     return tr("Draw turning joints and gear meshes: their torques appear here.");
   }
   const StaticsReport& report = *shown->report;
+  if (m_view == ForceView::why && report.isSolved) return {};
+  if (m_view == ForceView::losses && report.isAnswered() && !report.flow)
+    return tr("Without a motion there is no power.");
+  if (m_model->rowCount() > 0 && m_view != ForceView::why) return {};
   if (!report.isSolved || !report.lossless.isBalanced())
     return tr("There is no equilibrium: the reason is below.");
   if (!report.isAnswered()) return tr("With these losses no torques are known: the reason is below.");
-  switch (m_model->kind()) {
-    case ForceTableKind::couplings:
+  switch (m_view) {
+    case ForceView::needs:
+      return tr("No load acts and nothing is held: add a load.");
+    case ForceView::couplings:
       return tr("No brake or clutch is engaged: engage one in Gearbox, or choose a state.");
-    case ForceTableKind::bearings:
+    case ForceView::bearings:
       return tr("Forces need a unit of length whose size is known.");
-    case ForceTableKind::powers:
+    case ForceView::powers:
       return report.flow ? tr("No power flows.") : tr("Without a motion there is no power.");
-    case ForceTableKind::circulations:
+    case ForceView::circulations:
       return report.circulations
                  ? tr("No power circulates.")
                  : tr("Loops are found where every link but the planets turns on the ground.");
@@ -317,8 +314,42 @@ QString ForcesPanel::whyEmpty() const {
   }
 }
 
+EfficiencyPage& ForcesPanel::plots() {
+  return m_efficiency->plots();
+}
+
+EfficiencyCard& ForcesPanel::efficiency() {
+  return m_efficiency->card();
+}
+
+DualityLine& ForcesPanel::dualityLine() {
+  return m_why->dualityLine();
+}
+
 QString ForcesPanel::remark() const {
   return m_remark->text();
+}
+
+QString ForcesPanel::explanation() const {
+  return m_why->explanation().text();
+}
+
+QString ForcesPanel::emptyText() const {
+  return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
+}
+
+QString ForcesPanel::total(const QString& name) const {
+  const auto* label = findChild<QLabel*>(QStringLiteral("total.") + name);
+  return label == nullptr ? QString() : label->text();
+}
+
+void ForcesPanel::showShare() {
+  const bool isAsked = m_document->mechanism()->sharing == LoadSharing::stiffness;
+  const ForcesPtr& shown = forces();
+  const StaticsReport* report = shown && shown->report ? &*shown->report : nullptr;
+  m_share->setChecked(isAsked);
+  m_share->setVisible(report != nullptr && report->isSolved &&
+                      (isAsked || report->lossless.indeterminate() > 0));
 }
 
 /// The gravest diagnostic; all of them are its tooltip.
@@ -344,51 +375,15 @@ void ForcesPanel::showRemark() {
   setInk(*m_remark, role);
 }
 
-QString ForcesPanel::explanation() const {
-  return m_explanation->text();
-}
-
-/// As wide as the rows of the loads, and the card, need.
-void ForcesPanel::fitSide() {
-  const int width = m_side->minimumSizeHint().width() + m_sideView->verticalScrollBar()->sizeHint().width();
-  m_sideView->setFixedWidth(std::max(width, scaledPixels(236)));
-}
-
-/// The table comes first: where three columns do not fit, the card goes below the loads.
-void ForcesPanel::placeCard() {
-  const bool isBeside = width() >= scaledPixels(kRoomForCard);
-  if (isBeside == (m_cardView->widget() == m_card)) return;
-  if (isBeside) {
-    m_side->layout()->removeWidget(m_card);
-    m_cardView->setWidget(m_card);
-  } else {
-    m_cardView->takeWidget();
-    static_cast<QVBoxLayout*>(m_side->layout())->insertWidget(1, m_card);  // below the loads
-  }
-  m_card->setVisible(true);
-  m_cardView->setVisible(isBeside);
-  fitSide();
-}
-
-QSize ForcesPanel::minimumSizeHint() const {
-  const QSize wanted = QWidget::minimumSizeHint();
-  const bool isBeside = m_cardView->widget() == m_card;
-  return {isBeside ? wanted.width() - m_cardView->minimumWidth() : wanted.width(), wanted.height()};
-}
-
+/// A long list of loads scrolls, and leaves the table its room.
 void ForcesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  placeCard();
-}
-
-bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_side && event->type() == QEvent::LayoutRequest) fitSide();
-  return QWidget::eventFilter(watched, event);
+  m_loads->setRoom(height() / kLoadsPart, height() < scaledPixels(kLowPanel));
 }
 
 std::optional<ValueTable> ForcesPanel::shownTable() const {
-  if (showsPlots()) return m_plots->table();
-  const ForceTable* const table = m_model->table();
+  if (m_view == ForceView::efficiency) return m_efficiency->plots().table();
+  const ForceTable* const table = kindOf(m_view) ? m_model->table() : nullptr;
   return table == nullptr ? std::nullopt : std::optional<ValueTable>(*table);
 }
 
@@ -397,8 +392,8 @@ void ForcesPanel::wantExport() {
   if (!table) return;
   TextSink sink;
   writeForceCsv(sink, *table);
-  const QString name =
-      showsPlots() ? QStringLiteral("efficiency") : shownText(forceTableCommandName(m_model->kind()));
+  const QString name = m_view == ForceView::efficiency ? QStringLiteral("efficiency")
+                                                       : shownText(forceTableCommandName(m_model->kind()));
   emit exportWanted(name + QStringLiteral(".csv"), QString::fromStdString(sink.text()));
 }
 

@@ -1,34 +1,39 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
+#include "ui/forces/force_views.h"
 #include "ui/workbench/forces_service.h"
 #include "ui/workbench/results_view.h"
 #include "ui/workbench/view_entry.h"
 
 class QButtonGroup;
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
-class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 
 namespace geargraph {
 
+class DualityLine;
 class EfficiencyCard;
 class EfficiencyPage;
-class ExplanationLabel;
+class EfficiencyView;
 class ForceTableModel;
 class LinkedTable;
 class LoadsList;
-class DualityLine;
+class QuestionBar;
+class TotalsStrip;
+class WhyPage;
 
-/// Torques, forces and powers of the newest snapshot: the loads, a table of the torques that hold them, and
-/// the power balance. Rows are linked with the selection in both directions. Documents without loads are
+/// Torques, forces and powers of the newest snapshot, one question at a time: what has to be provided, where
+/// the power goes, what parts carry, and why. A question has one or several views, each a table or a picture
+/// of the panel's height. Rows are linked with the selection in both directions. Documents without loads are
 /// solved only while the panel is visible.
 class ForcesPanel : public QWidget, public ResultsView {
   Q_OBJECT
@@ -36,32 +41,35 @@ class ForcesPanel : public QWidget, public ResultsView {
  public:
   /// `service`: the window's, which follows the document
   ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent = nullptr);
+  ~ForcesPanel() override;
 
   [[nodiscard]] QWidget& widget() override { return *this; }
   /// Sets the snapshot, whose states can be chosen.
   void setSnapshot(const SnapshotPtr& snapshot) override;
   void setAwake(bool awake) override;
-  void showTable(ForceTableKind kind);
+  /// Shows a view, and with it its question.
+  void showView(ForceView view);
+  /// Shows the view of a question that was last in front.
+  void ask(ForceQuestion question);
   /// Shows the forces of this state; -1: of the document's engagement.
   void showState(int state);
 
+  [[nodiscard]] ForceView view() const { return m_view; }
   [[nodiscard]] bool isUpToDate() const;
   [[nodiscard]] const ForcesPtr& forces() const { return m_service->answer(); }
   [[nodiscard]] ForceTableModel& model() { return *m_model; }
   [[nodiscard]] LinkedTable& table() { return *m_table; }
-  /// Shows the plots of the efficiency instead of a table.
-  void showPlots();
-  [[nodiscard]] EfficiencyPage& plots() { return *m_plots; }
-  [[nodiscard]] EfficiencyCard& efficiency() { return *m_card; }
-  [[nodiscard]] DualityLine& dualityLine() { return *m_duality; }
-  [[nodiscard]] QSize minimumSizeHint() const override;
+  [[nodiscard]] EfficiencyPage& plots();
+  [[nodiscard]] EfficiencyCard& efficiency();
+  [[nodiscard]] DualityLine& dualityLine();
+  [[nodiscard]] QuestionBar& questions() { return *m_questions; }
   /// The diagnostic under the table; empty if there is none.
   [[nodiscard]] QString remark() const;
   /// The text of the ExplanationLabel: the cutset of the one selected joint with its equation, or which gear
   /// of the one selected mesh drives; else empty.
   [[nodiscard]] QString explanation() const;
   [[nodiscard]] QString emptyText() const override;
-  /// A value below the table, by its name: "fed", "forward".
+  /// A number of the power balance, by its name: "fed", "forward".
   [[nodiscard]] QString total(const QString& name) const;
 
  signals:
@@ -69,56 +77,50 @@ class ForcesPanel : public QWidget, public ResultsView {
   void exportWanted(const QString& name, const QString& csv);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* makeBar();
-  QWidget* makeMiddle();
-  QWidget* makeTotals();
-  QWidget* makeShareButton();
-  void addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning, QWidget* value);
-  void addTotal(QHBoxLayout* layout, const char* name, const QString& text, const QString& meaning);
-  void ask();
+  void makeQuestions();
+  QWidget* makeControls();
+  QWidget* makeFooter();
+  void askService();
   void updateStates(const Mechanism& mechanism);
+  void present(ForceView view);
+  void chooseUsualView(const Mechanism& mechanism);
+  [[nodiscard]] bool isPossible(ForceView view) const;
+  void showControls();
   void showForces();
-  void showTotals();
-  void showRemark();
-  /// `exact`: the number as a fraction, for the tooltip.
-  void setTotal(const char* name, const QString& text, const QString& exact = {});
-  void fitSide();
-  void placeCard();
-  [[nodiscard]] bool showsPlots() const;
   void showPage();
+  void showShare();
+  void showRemark();
   [[nodiscard]] std::optional<ValueTable> shownTable() const;
   void wantExport();
   void copy();
-  void showDuality();
   [[nodiscard]] QString whyEmpty() const;
 
   Document* m_document;
+  Selection* m_selection;
   ForcesService* m_service;
   ForceTableModel* m_model;
-  LoadsList* m_loads;
-  QWidget* m_side = nullptr;  ///< the loads, with the card below them if it has no column of its own
-  QScrollArea* m_sideView = nullptr;
+  QuestionBar* m_questions;
+  LoadsList* m_loads = nullptr;
+  std::unique_ptr<TotalsStrip> m_totals;
   LinkedTable* m_table;
+  QWidget* m_tablePage = nullptr;
   QStackedWidget* m_pages;
-  EfficiencyPage* m_plots;
-  EfficiencyCard* m_card;
-  QScrollArea* m_cardView = nullptr;
+  EfficiencyView* m_efficiency;
+  WhyPage* m_why = nullptr;
   QLabel* m_empty;
   QLabel* m_remark;
-  DualityLine* m_duality = nullptr;
-  QWidget* m_dualityStrip = nullptr;
-  bool m_isDualityFilled = false;  ///< is there an entry to show?
-  ExplanationLabel* m_explanation;
-  QButtonGroup* m_chips = nullptr;
+  QButtonGroup* m_chips = nullptr;  ///< of the views, by their number
   QComboBox* m_states = nullptr;
   QToolButton* m_share = nullptr;
   QToolButton* m_copy = nullptr;
   QToolButton* m_export = nullptr;
-  QLabel* m_verdict = nullptr;
+  ForceView m_view = ForceView::needs;
+  std::map<ForceQuestion, ForceView> m_lastViews;
+  bool m_isViewChosen = false;  ///< of the first question, by showView()
+  bool m_isAwake = false;
 };
 
 [[nodiscard]] ViewEntry forcesView();

@@ -1,10 +1,11 @@
 #include "ui/forces/loads_list.h"
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QEvent>
-#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
 #include <QToolButton>
 #include <algorithm>
 #include <optional>
@@ -14,8 +15,9 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/control_button.h"
-#include "ui/theme/empty_label.h"
+#include "ui/theme/flow_layout.h"
 #include "ui/theme/laid_out_at_once.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph {
 namespace {
@@ -24,6 +26,7 @@ namespace {
 constexpr std::size_t kMaxRows = 100;
 /// Most joints or links of a menu.
 constexpr std::size_t kMaxPlaces = 40;
+constexpr int kFieldWidth = 80;
 
 /// The size of a load, or a component of a force.
 const Number& sizeOf(const Load& load, std::size_t component) {
@@ -38,44 +41,49 @@ bool isForce(const Load& load) {
 
 }  // namespace
 
-LoadsList::LoadsList(Document* document, Selection* selection, QWidget* parent)
+LoadsList::LoadsList(Document* document, Selection* selection, QLayout& controls, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
-      m_list(new QWidget(this)),
-      m_grid(new QGridLayout(m_list)),
-      m_empty(emptyLabel(this)),
-      m_more(new QLabel(this)) {
-  m_empty->setText(tr("No load acts yet. Select a joint or a link, then + Load."));
-  m_more->setProperty("look", "hint");
-  m_grid->setContentsMargins(12, 0, 8, 0);
-  m_grid->setHorizontalSpacing(6);
-  m_grid->setVerticalSpacing(2);
+      m_view(new QScrollArea(this)),
+      m_list(new QWidget(m_view)),
+      m_empty(new QLabel(tr("No load acts yet. Select a joint or a link, then + Load."), m_list)),
+      m_more(new QLabel(m_list)) {
+  setObjectName(QStringLiteral("loads"));
+  for (QLabel* label : {m_empty, m_more}) {
+    label->setProperty("look", "hint");
+    label->setWordWrap(true);
+  }
+  auto* flow = new FlowLayout(m_list);
+  flow->setContentsMargins(12, 0, 10, 2);
+  flow->setSpacing(6);
+  flow->addWidget(m_empty);
+  flow->addWidget(m_more);
+  m_view->setWidget(m_list);
+  m_view->setWidgetResizable(true);
+  m_view->setFrameShape(QFrame::NoFrame);
+  m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_view->setFocusPolicy(Qt::NoFocus);  // what is in it has
+  m_list->installEventFilter(this);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 4);
-  layout->setSpacing(4);
-  layout->addWidget(makeHead());
-  layout->addWidget(m_list);
-  layout->addWidget(m_empty);
-  layout->addWidget(m_more);
-  layout->addStretch(1);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_view);
+  makeControls(controls, parent);
   connect(document, &Document::changed, this, &LoadsList::renew);
   renew();
 }
 
-QWidget* LoadsList::makeHead() {
-  auto* head = new QWidget(this);
-  auto* layout = new QHBoxLayout(head);
-  layout->setContentsMargins(12, 4, 8, 0);
-  layout->setSpacing(4);
+void LoadsList::makeControls(QLayout& controls, QWidget* parent) {
+  m_fold = controlButton(QStringLiteral("foldLoads"), tr("Loads"),
+                         tr("Show or hide the loads that act on the train"), parent);
+  connect(m_fold, &QToolButton::clicked, this, [this] {
+    m_isFoldChosen = true;
+    setOpen(!m_isOpen);
+  });
   m_add = controlButton(QStringLiteral("addLoad"), tr("+ Load"),
-                        tr("A torque of 1 N m on the selected joint or link, or choose one"), head);
+                        tr("A torque of 1 N m on the selected joint or link, or choose one"), parent);
   connect(m_add, &QToolButton::clicked, this, &LoadsList::addLoad);
-  m_balances =
-      controlButton(QStringLiteral("balances"), tr("Found at ▾"),
-                    tr("Balances: where torques are found that hold the loads. By itself the program "
-                       "takes the inputs that bear no load of their own."),
-                    head);
+  m_balances = controlButton(QStringLiteral("balances"), tr("Found at ▾"), {}, parent);
   m_balances->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(m_balances);
   m_balances->setMenu(menu);
@@ -83,16 +91,61 @@ QWidget* LoadsList::makeHead() {
     menu->clear();
     fillBalances(*menu);
   });
-  m_unit = new QComboBox(head);
+  m_unit = new QComboBox(parent);
   m_unit->setObjectName(QStringLiteral("loadUnit"));
+  m_unit->setAccessibleName(tr("Unit of the loads"));
   m_unit->addItems({tr("N m"), tr("N mm"), tr("kN m")});
   m_unit->setToolTip(tr("The unit of the torques in this list; the document keeps N m"));
   connect(m_unit, &QComboBox::currentIndexChanged, this, [this] { showNumbers(); });
-  layout->addWidget(m_add);
-  layout->addWidget(m_balances);
-  layout->addStretch(1);
-  layout->addWidget(m_unit);
-  return head;
+  for (QWidget* control : {static_cast<QWidget*>(m_fold), static_cast<QWidget*>(m_add),
+                           static_cast<QWidget*>(m_balances), static_cast<QWidget*>(m_unit)})
+    controls.addWidget(control);
+}
+
+void LoadsList::setShown(bool isShown) {
+  m_isShown = isShown;
+  for (QWidget* control : {static_cast<QWidget*>(m_fold), static_cast<QWidget*>(m_add),
+                           static_cast<QWidget*>(m_balances), static_cast<QWidget*>(m_unit)})
+    control->setVisible(isShown);
+  showFold();
+}
+
+void LoadsList::setRoom(int height, bool isLittle) {
+  m_room = height;
+  if (!m_isFoldChosen) setOpen(!isLittle);
+  fitHeight();
+}
+
+void LoadsList::setOpen(bool isOpen) {
+  m_isOpen = isOpen;
+  showFold();
+}
+
+void LoadsList::showFold() {
+  const auto count = m_document->mechanism()->loads.size();
+  const QString title = count == 0 ? tr("Loads") : tr("Loads: %1").arg(count);
+  m_fold->setText((m_isOpen ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) + title);
+  m_fold->setAccessibleName(title);
+  setVisible(m_isShown && m_isOpen);
+}
+
+/// As high as its lines, but no higher than its room.
+void LoadsList::fitHeight() {
+  const int lines = m_list->layout()->heightForWidth(m_view->viewport()->width());
+  m_view->setFixedHeight(std::min(lines, m_room));
+}
+
+/// Larger type needs wider fields.
+void LoadsList::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  for (const Row& row : m_rows)
+    for (NumberField* field : row.fields) field->setFixedWidth(scaledPixels(kFieldWidth));
+}
+
+void LoadsList::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitHeight();
 }
 
 Rational LoadsList::newtonMetres() const {
@@ -101,8 +154,15 @@ Rational LoadsList::newtonMetres() const {
 }
 
 QString LoadsList::nameOf(const ElementId& element) const {
-  const QString label = shownText(m_document->elements().labelOf(element).value_or(element.id.text()));
-  return element.kind == ElementKind::link ? tr("link %1").arg(label) : tr("joint %1").arg(label);
+  const ElementIndex& index = m_document->elements();
+  const QString label = shownText(index.labelOf(element).value_or(element.id.text()));
+  const bool isLink = element.kind == ElementKind::link;
+  const Link* link = isLink ? index.find(LinkId(element.id)) : nullptr;
+  if (const TurningJoint* joint = isLink ? nullptr : index.find(JointId(element.id)); joint != nullptr)
+    link = index.find(joint->head);
+  const QString text = (isLink ? tr("link %1") : tr("joint %1")).arg(label);
+  const QString name = link == nullptr ? QString() : shownText(link->name);
+  return name.isEmpty() || name == label ? text : tr("%1 (%2)").arg(text, name);
 }
 
 ElementId LoadsList::elementOf(const Load& load) const {
@@ -145,58 +205,81 @@ void LoadsList::renew() {
   if (titles != m_shown) showRows();
   m_shown = titles;
   showNumbers();
+  showPlaces();
+  showFold();
   m_add->setEnabled(mechanism.n() > 0);
   m_balances->setEnabled(mechanism.t() > 0);
   m_empty->setVisible(mechanism.loads.empty());
   m_more->setVisible(mechanism.loads.size() > kMaxRows);
   m_more->setText(tr("%1 of %2 loads are listed").arg(m_rows.size()).arg(mechanism.loads.size()));
+  fitHeight();
+}
+
+/// Where torques are found that hold the loads, by its name.
+void LoadsList::showPlaces() {
+  const std::optional<std::vector<HoldingTorque>>& balances = m_document->mechanism()->balances;
+  QStringList names;
+  if (balances) {
+    for (const HoldingTorque& each : *balances) {
+      if (const auto* joint = std::get_if<JointId>(&each.at)) names += nameOf(*joint);
+      if (const auto* onLink = std::get_if<HoldingTorque::OnLink>(&each.at)) names += nameOf(onLink->link);
+    }
+  }
+  constexpr qsizetype kMaxLetters = 28;
+  QString text = tr("Found at ▾");
+  if (names.size() == 1 && names.front().size() <= kMaxLetters) text = tr("Found at %1 ▾").arg(names.front());
+  if (names.size() > 1) text = tr("Found at %1 places ▾").arg(names.size());
+  m_balances->setText(text);
+  QString tip =
+      tr("Balances: where torques are found that hold the loads. By itself the program "
+         "takes the inputs that bear no load of their own.");
+  constexpr qsizetype kMaxNames = 20;
+  if (!names.empty()) tip += QLatin1Char('\n') + names.mid(0, kMaxNames).join(QStringLiteral(", "));
+  m_balances->setToolTip(tip);
 }
 
 void LoadsList::showRows() {
-  for (const Row& row : std::exchange(m_rows, {})) {
-    for (QWidget* widget : row.widgets) removeFrom(*m_grid, widget);
-  }
+  for (const Row& row : std::exchange(m_rows, {})) removeFrom(*m_list->layout(), row.box);
   const std::size_t count = std::min(kMaxRows, m_document->mechanism()->loads.size());
-  {
-    const LaidOutAtOnce added(m_list);
-    for (std::size_t load = 0; load < count; ++load)
-      m_rows.push_back(makeRow(static_cast<int>(load), static_cast<int>(load)));
-  }
-  m_list->setVisible(count > 0);
+  const LaidOutAtOnce added(m_list);
+  for (std::size_t load = 0; load < count; ++load) m_rows.push_back(makeRow(static_cast<int>(load)));
 }
 
-LoadsList::Row LoadsList::makeRow(int load, int line) {
+LoadsList::Row LoadsList::makeRow(int load) {
   const Load& shown = m_document->mechanism()->loads[static_cast<std::size_t>(load)];
   Row row;
-  auto* title = new QLabel(titleOf(shown), this);
+  row.box = new QWidget(m_list);
+  auto* line = new QHBoxLayout(row.box);
+  line->setContentsMargins(0, 0, 8, 0);
+  line->setSpacing(4);
+  auto* title = new QLabel(titleOf(shown), row.box);
   title->setTextFormat(Qt::PlainText);
   title->setToolTip(tipOf(shown));
-  row.widgets.push_back(title);
-  m_grid->addWidget(title, line, 0);
+  line->addWidget(title);
   for (std::size_t component = 0; component < (isForce(shown) ? 3U : 1U); ++component) {
     NumberField* field = makeField(load, component);
+    field->setAccessibleName(title->text());
     row.fields.push_back(field);
-    row.widgets.push_back(field);
-    m_grid->addWidget(field, line, 1 + static_cast<int>(component), 1, isForce(shown) ? 1 : 3);
+    line->addWidget(field);
   }
   QToolButton* gone =
-      controlButton(QStringLiteral("removeLoad"), QStringLiteral("×"), tr("Remove this load"), this);
+      controlButton(QStringLiteral("removeLoad"), QStringLiteral("×"), tr("Remove this load"), row.box);
+  gone->setAccessibleName(gone->toolTip());
+  gone->setAccessibleDescription(title->text());
   connect(gone, &QToolButton::clicked, this, [this, load] { remove(load); });
-  row.widgets.push_back(gone);
-  m_grid->addWidget(gone, line, 4);
+  line->addWidget(gone);
   const ElementId element = elementOf(shown);
-  for (QWidget* widget : row.widgets) {
-    widget->setProperty("isJoint", element.kind == ElementKind::turningJoint);
-    widget->setProperty("element", QString::fromStdString(element.id.text()));
-    widget->installEventFilter(this);
-  }
+  row.box->setProperty("isJoint", element.kind == ElementKind::turningJoint);
+  row.box->setProperty("element", QString::fromStdString(element.id.text()));
+  row.box->installEventFilter(this);
+  m_list->layout()->addWidget(row.box);
   return row;
 }
 
 NumberField* LoadsList::makeField(int load, std::size_t component) {
   auto* field = new NumberField(this);
   field->setObjectName(QStringLiteral("load.%1.%2").arg(load).arg(component));
-  field->setMinimumWidth(64);
+  field->setFixedWidth(scaledPixels(kFieldWidth));
   field->setAlignment(Qt::AlignRight);
   connect(field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
   connect(field, &NumberField::edited, this, [this, load, component](const std::optional<Number>& size) {
@@ -321,7 +404,9 @@ void LoadsList::balance(std::optional<std::vector<HoldingTorque>> balances, cons
 }
 
 bool LoadsList::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Enter) {
+  if (watched == m_list) {
+    if (event->type() == QEvent::LayoutRequest) fitHeight();
+  } else if (event->type() == QEvent::Enter) {
     const std::string id = watched->property("element").toString().toStdString();
     m_selection->hover(watched->property("isJoint").toBool() ? ElementId(JointId(id))
                                                              : ElementId(LinkId(id)));

@@ -21,10 +21,11 @@ QString decimalText(const Rational& value, int digits) {
   return decimalText(value.toDouble(), digits);
 }
 
-/// What the window calls a number of the shift table: "0.9688", "locks", or nothing.
+/// What the window calls a number of the shift table: "0.9688", "locks", or that there is none.
 QString efficiencyText(const ForceCell* cell) {
   if (cell == nullptr) return {};
-  return cell->number ? decimalText(*cell->number, 4) : shown(cell->text);
+  if (cell->number) return decimalText(*cell->number, 4);
+  return cell->text.empty() ? QStringLiteral("–") : shown(cell->text);
 }
 
 }  // namespace
@@ -144,19 +145,6 @@ const ForceCell* StatesModel::shiftCell(int row, ShiftColumn column) const {
   return torqueCell(row, couplingCount() + static_cast<int>(column));
 }
 
-bool StatesModel::isBlank(int column) const {
-  const int tail = column - couplingCount() - 1;
-  if (tail < static_cast<int>(Tail::efficiency)) return false;
-  return std::all_of(m_rows.begin(), m_rows.end(),
-                     [&](const Row& row) { return row.tails[static_cast<std::size_t>(tail)].isEmpty(); });
-}
-
-int StatesModel::lastColumn() const {
-  int column = columnCount() - 1;
-  while (isBlank(column)) --column;
-  return column;
-}
-
 bool StatesModel::isEngagedNow(int coupling) const {
   return isEngaged(*m_mechanism, m_mechanism->couplings[static_cast<std::size_t>(coupling)].id);
 }
@@ -208,7 +196,8 @@ QString StatesModel::tailText(int row, Tail tail) const {
       return efficiencyText(shiftCell(row, ShiftColumn::backward));
     case Tail::circulating: {
       const ForceCell* cell = shiftCell(row, ShiftColumn::circulating);
-      if (cell == nullptr || !cell->number) return {};
+      if (cell == nullptr) return {};
+      if (!cell->number) return QStringLiteral("–");
       return *cell->number > 0 ? decimalText(*cell->number, 3) : QStringLiteral("·");
     }
     default: {
@@ -336,7 +325,7 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
     return tr("The ratio is the speed of the first link over that of the second. Click to choose them.");
   if (role == Qt::ToolTipRole && isTail(section, Tail::step)) return tr("The ratio before over this one");
   if (role == Qt::ToolTipRole && isTail(section, Tail::efficiency))
-    return tr("Power taken over power fed, with the drive driving");
+    return tr("Power taken over power fed, with the drive driving; none while the meshes state no losses");
   if (role == Qt::ToolTipRole && isTail(section, Tail::backward))
     return tr("The efficiency with all known torques reversed: the output drives");
   if (role == Qt::ToolTipRole && isTail(section, Tail::circulating))

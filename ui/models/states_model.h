@@ -44,10 +44,6 @@ class StatesModel : public QAbstractTableModel {
   [[nodiscard]] bool isEngagedNow(int coupling) const;
   /// The torques of all states; null until they are solved for the document.
   [[nodiscard]] const ForceTable* torques() const;
-  /// Is it a column of statics (efficiency and later) without a value in any row?
-  [[nodiscard]] bool isBlank(int column) const;
-  /// The last column that is not blank.
-  [[nodiscard]] int lastColumn() const;
   /// Null until the snapshot of these states is available.
   [[nodiscard]] const StateSolution* solutionAt(int row) const;
   [[nodiscard]] bool isRunning(int row) const { return m_rows[static_cast<std::size_t>(row)].isRunning; }

@@ -16,11 +16,13 @@
 #include "core/theory/statics/shift_statics.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/compare_states.h"
 #include "ui/panels/drive_torque_strip.h"
 #include "ui/panels/engagement_edits.h"
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
+#include "ui/theme/flow_layout.h"
 #include "ui/theme/looks.h"
 
 namespace geargraph {
@@ -40,6 +42,17 @@ void sayUnlisted(QMenu& menu, const Mechanism& mechanism) {
   menu.addAction(GearboxPanel::tr("%1 more: select links in a drawing first").arg(count))->setEnabled(false);
 }
 
+/// Is there a torque that statics does not decide?
+bool isAnyShared(const ValueTable& torques) {
+  const auto end = static_cast<std::ptrdiff_t>(torques.columns.size()) -
+                   static_cast<std::ptrdiff_t>(ShiftColumn::count) +
+                   static_cast<std::ptrdiff_t>(ShiftColumn::found) + 1;
+  return std::any_of(torques.rows.begin(), torques.rows.end(), [end](const ForceRow& row) {
+    return std::any_of(row.cells.begin() + 1, row.cells.begin() + end,
+                       [](const ForceCell& cell) { return !cell.number && !cell.text.empty(); });
+  });
+}
+
 }  // namespace
 
 GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* parent)
@@ -53,11 +66,17 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
       m_clutch(makeButton("addClutch", tr("+ Clutch"),
                           tr("Make two links turn as one: the two selected, or choose"))),
       m_state(makeButton("addState", tr("+ State"), tr("A new row: what is engaged together"))),
+      m_compare(makeButton("compareStates", tr("Compare states"),
+                           tr("Two states side by side: ratios, torques, efficiencies, speeds"))),
+      m_export(
+          makeButton("exportStates", tr("CSV…"),
+                     tr("Export the table with drive, driven, what is engaged and steps to a CSV file"))),
       m_release(makeButton("releaseAll", tr("Release all"),
                            tr("Release every brake and clutch; the motion goes on (Ctrl+B)"))),
       m_torque(new DriveTorqueStrip(document, this)),
       m_pages(new QStackedWidget(this)),
       m_empty(emptyLabel(this)),
+      m_comparison(new CompareStates(m_model, this)),
       m_remark(new QLabel(this)) {
   m_empty->setText(
       tr("A gearbox has brakes, which hold a link, and clutches, which make two links turn as one. Select a "
@@ -65,20 +84,22 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
          "and add a brake, or two links and add a clutch; then add states that engage them."));
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);
+  m_pages->addWidget(m_comparison);
   m_remark->setObjectName(QStringLiteral("remark"));
   m_remark->setWordWrap(true);
   m_remark->setContentsMargins(16, 4, 16, 0);
 
-  auto* buttons = new QHBoxLayout;
+  m_compare->setCheckable(true);
+  auto* row = new QWidget(this);
+  auto* buttons = new FlowLayout(row);
   buttons->setContentsMargins(12, 6, 12, 0);
   buttons->setSpacing(6);
-  for (QToolButton* button : {m_brake, m_clutch, m_state}) buttons->addWidget(button);
-  buttons->addStretch(1);
-  buttons->addWidget(m_release);
+  for (QToolButton* button : {m_brake, m_clutch, m_state, m_compare, m_export, m_release})
+    buttons->addWidget(button);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 8);
   layout->setSpacing(2);
-  layout->addLayout(buttons);
+  layout->addWidget(row);
   layout->addWidget(m_torque);
   layout->addWidget(m_pages, 1);
   layout->addWidget(m_remark);
@@ -89,6 +110,8 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
   connect(m_clutch, &QToolButton::clicked, this, &GearboxPanel::addClutch);
   connect(m_state, &QToolButton::clicked, this, &GearboxPanel::addState);
   connect(m_release, &QToolButton::clicked, this, &GearboxPanel::releaseAll);
+  connect(m_compare, &QToolButton::toggled, this, &GearboxPanel::setComparing);
+  connect(m_export, &QToolButton::clicked, this, &GearboxPanel::wantExport);
   connect(document, &Document::changed, this, &GearboxPanel::renew);
   wireTable();
   renew();
@@ -169,7 +192,33 @@ void GearboxPanel::setAwake(bool awake) {
 void GearboxPanel::setTorques(const std::shared_ptr<const ForceTable>& torques,
                               const MechanismPtr& mechanism) {
   m_model->setTorques(torques, mechanism);
+  const ForceTable* const shown = m_model->torques();
+  m_torque->showSpread(shown == nullptr ? std::nullopt : spreadOf(*shown));
+  m_torque->showSharing(shown != nullptr && isAnyShared(*shown));
+  updateButtons();
   paintRemark();
+}
+
+void GearboxPanel::setComparing(bool isComparing) {
+  m_compare->setChecked(isComparing);
+  if (isComparing) {
+    const int engaged = std::max(engagedState(*m_document->mechanism()), 0);
+    const int states = m_model->rowCount();
+    m_comparison->compare(engaged, engaged + 1 < states ? engaged + 1 : engaged - 1);
+  }
+  renew();
+}
+
+/// Two states at least are compared; only torques that are known are exported.
+void GearboxPanel::updateButtons() {
+  const MechanismPtr& mechanism = m_document->mechanism();
+  const bool isComparable = mechanism->states.size() > 1;
+  m_compare->setVisible(isComparable);
+  if (!isComparable) m_compare->setChecked(false);
+  m_export->setVisible(!mechanism->states.empty());
+  m_export->setEnabled(m_model->torques() != nullptr);
+  m_release->setVisible(!mechanism->couplings.empty());
+  m_release->setEnabled(!mechanism->engaged.empty());
 }
 
 /// Nothing is solved for a document without states, or out of sight.
@@ -187,13 +236,15 @@ void GearboxPanel::renew() {
   const int states = static_cast<int>(mechanism->states.size());
   if (m_shownState >= states) m_shownState = -1;
   updateTorqueRequest();  // it may be answered at once, which paints the remark
-  m_pages->setCurrentIndex(mechanism->couplings.empty() && states == 0 ? 1 : 0);
+  updateButtons();
+  const bool isEmpty = mechanism->couplings.empty() && states == 0;
+  m_pages->setCurrentWidget(isEmpty                  ? static_cast<QWidget*>(m_empty)
+                            : m_compare->isChecked() ? static_cast<QWidget*>(m_comparison)
+                                                     : m_table);
   const bool moves = mechanism->n() > 0;
   m_brake->setEnabled(moves);
   m_clutch->setEnabled(mechanism->n() > 1);
   m_state->setEnabled(moves);
-  m_release->setVisible(!mechanism->couplings.empty());
-  m_release->setEnabled(!mechanism->engaged.empty());
   paintRemark();
 }
 
@@ -426,14 +477,14 @@ void GearboxPanel::copy() {
   TextSink sink;
   CsvOptions options;
   options.separator = '\t';
-  writeForceCsv(sink, *m_model->torques(), options);
+  writeForceCsv(sink, shiftSheet(*m_document->mechanism(), *m_model->torques()), options);
   QGuiApplication::clipboard()->setText(QString::fromStdString(sink.text()));
 }
 
 void GearboxPanel::wantExport() {
   if (m_model->torques() == nullptr) return;
   TextSink sink;
-  writeForceCsv(sink, *m_model->torques());
+  writeForceCsv(sink, shiftSheet(*m_document->mechanism(), *m_model->torques()));
   emit exportWanted(shownText(forceTableCommandName(ForceTableKind::states)) + QStringLiteral(".csv"),
                     QString::fromStdString(sink.text()));
 }

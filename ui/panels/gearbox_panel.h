@@ -15,6 +15,7 @@ class QToolButton;
 
 namespace geargraph {
 
+class CompareStates;
 class DriveTorqueStrip;
 class StatesTable;
 
@@ -50,7 +51,9 @@ class GearboxPanel : public QWidget, public ResultsView {
   void addClutch();
   void addState();
 
-  /// Copies the table as CSV: ratios, torques, efficiencies.
+  /// Shows two states side by side instead of the table: the engaged one, or else the first, and the next.
+  void setComparing(bool isComparing);
+  /// Copies the table with tabs: drive, driven, what is engaged, torques, ratios, steps, efficiencies.
   void copy();
   void wantExport();
 
@@ -70,6 +73,7 @@ class GearboxPanel : public QWidget, public ResultsView {
   void renew();
   void updateTorqueRequest();
   void addTableActions(QMenu& menu);
+  void updateButtons();
   void paintRemark();
   void toggleDot(int state, int coupling, bool engaged);
   void onClick(const QModelIndex& index);
@@ -89,10 +93,13 @@ class GearboxPanel : public QWidget, public ResultsView {
   QToolButton* m_brake;
   QToolButton* m_clutch;
   QToolButton* m_state;
+  QToolButton* m_compare;
+  QToolButton* m_export;
   QToolButton* m_release;
   DriveTorqueStrip* m_torque;
   QStackedWidget* m_pages;
   QLabel* m_empty;
+  CompareStates* m_comparison;
   QLabel* m_remark;
   bool m_isAwake = false;
   bool m_wantsTorques = false;

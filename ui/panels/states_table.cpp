@@ -1,5 +1,6 @@
 #include "ui/panels/states_table.h"
 
+#include <QEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QShortcut>
@@ -7,12 +8,16 @@
 
 #include "ui/document/typed_length.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/frozen_column.h"
 
 namespace geargraph {
 namespace {
 
 constexpr int kMargin = 16;      // at the left and right edge of the table
 constexpr double kDotRoom = 18;  // left of a torque
+constexpr int kHeadHeight = 42;
+constexpr int kNameBand = 18;  // of a coupling's name, above what it holds
+constexpr int kStateHeight = 24;
 
 void paintDot(QPainter& painter, const QPointF& centre, bool engaged, Theme theme) {
   painter.setRenderHint(QPainter::Antialiasing);
@@ -39,6 +44,12 @@ void paintRunning(QPainter& painter, const QPointF& at, Theme theme) {
   painter.drawPolygon(QPolygonF{at + QPointF(0, -5), at + QPointF(8, 0), at + QPointF(0, 5)});
 }
 
+/// The table itself, or that of its column that stays.
+const StatesTable* tableAround(const QWidget* view) {
+  if (const auto* table = qobject_cast<const StatesTable*>(view)) return table;
+  return view == nullptr ? nullptr : qobject_cast<const StatesTable*>(view->parentWidget());
+}
+
 }  // namespace
 
 void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -54,7 +65,7 @@ void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     band.setAlphaF(0.45F);
     painter->fillRect(option.rect, band);
   }
-  if (const auto* table = qobject_cast<const StatesTable*>(option.widget);
+  if (const StatesTable* table = tableAround(option.widget);
       table != nullptr && table->lookedAt() == index.row()) {
     constexpr int kEdge = 2;
     painter->fillRect(QRect(option.rect.left(), option.rect.bottom() + 1 - kEdge, option.rect.width(), kEdge),
@@ -89,7 +100,7 @@ void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
       painter->setPen(qColor(asks ? ColorRole::accent : ColorRole::secondary, theme));
     }
     painter->setFont(font);
-    const bool last = index.column() == model->lastColumn();
+    const bool last = index.column() == model->columnCount() - 1;
     painter->drawText(cell.adjusted(0, 0, last ? -kMargin : -6, 0), Qt::AlignRight | Qt::AlignVCenter, text);
   }
   painter->restore();
@@ -99,7 +110,11 @@ StatesHeader::StatesHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent
   setSectionResizeMode(QHeaderView::Fixed);
   setHighlightSections(false);
   setSectionsClickable(true);
-  setFixedHeight(42);
+  fitHeight();
+}
+
+void StatesHeader::fitHeight() {
+  setFixedHeight(scaledPixels(kHeadHeight));
 }
 
 /// An editor above the heading: Enter or losing the focus accepts the name; Esc cancels, and so do other
@@ -129,6 +144,7 @@ void StatesHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
   const Theme theme = themeOf(palette());
   const auto* states = static_cast<const StatesModel*>(model());
   const QString text = states->headerData(section, Qt::Horizontal).toString();
+  const int band = scaledPixels(kNameBand);
   painter->save();
   if (states->couplingAt(section) >= 0) {
     QFont bold = font();
@@ -140,33 +156,37 @@ void StatesHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
       painter->setRenderHint(QPainter::Antialiasing);
       painter->setPen(Qt::NoPen);
       painter->setBrush(qColor(ColorRole::ink, theme));
-      painter->drawRoundedRect(QRect(rect.center().x() - half, rect.top() + 4, 2 * half, 18), 9, 9);
+      painter->drawRoundedRect(QRect(rect.center().x() - half, rect.top() + 4, 2 * half, band), band / 2.0,
+                               band / 2.0);
     }
     painter->setPen(qColor(engaged ? ColorRole::sheet : ColorRole::ink, theme));
-    painter->drawText(rect.adjusted(0, 4, 0, -20), Qt::AlignCenter, text);
+    painter->drawText(QRect(rect.left(), rect.top() + 4, rect.width(), band), Qt::AlignCenter, text);
     QFont small = font();
     small.setPixelSize(smallPixels() - 1);
     painter->setFont(small);
     painter->setPen(qColor(ColorRole::secondary, theme));
-    painter->drawText(rect.adjusted(0, 21, 0, -3), Qt::AlignCenter,
+    painter->drawText(rect.adjusted(0, band + 3, 0, -3), Qt::AlignCenter,
                       states->headerData(section, Qt::Horizontal, StatesModel::HoldsRole).toString());
   } else {
     painter->setPen(qColor(ColorRole::secondary, theme));
-    const bool last = section == states->lastColumn();
+    const bool last = section == states->columnCount() - 1;
     const Qt::Alignment side = section == 0 ? Qt::AlignLeft : Qt::AlignRight;
-    painter->drawText(rect.adjusted(section == 0 ? kMargin + 4 : 0, 21, last ? -kMargin : -6, -3),
+    painter->drawText(rect.adjusted(section == 0 ? kMargin + 4 : 0, band + 3, last ? -kMargin : -6, -3),
                       side | Qt::AlignVCenter, text);
   }
   painter->restore();
 }
 
 StatesTable::StatesTable(StatesModel* model, QWidget* parent)
-    : QTableView(parent), m_model(model), m_heads(new StatesHeader(this)) {
+    : QTableView(parent),
+      m_model(model),
+      m_heads(new StatesHeader(this)),
+      m_firstHead(new StatesHeader(this)),
+      m_first(nullptr) {
   setHorizontalHeader(m_heads);
   setModel(model);
   setItemDelegate(new StatesDelegate(this));
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(24);
   setShowGrid(false);
   setMouseTracking(true);
   setSelectionMode(QAbstractItemView::NoSelection);
@@ -175,8 +195,25 @@ StatesTable::StatesTable(StatesModel* model, QWidget* parent)
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setContextMenuPolicy(Qt::CustomContextMenu);
   m_heads->setContextMenuPolicy(Qt::CustomContextMenu);
+  auto* first = new FrozenColumn(this, m_firstHead);
+  m_first = first;
+  connect(first, &FrozenColumn::left, this, &StatesTable::left);
+  fitHeights();
   connect(model, &QAbstractItemModel::modelReset, this, &StatesTable::fitColumns);
   connect(model, &StatesModel::computed, this, &StatesTable::fitColumns);
+}
+
+void StatesTable::fitHeights() {
+  for (StatesHeader* heads : {m_heads, m_firstHead}) heads->fitHeight();
+  verticalHeader()->setDefaultSectionSize(scaledPixels(kStateHeight));
+}
+
+/// Larger type needs higher rows and wider columns.
+void StatesTable::changeEvent(QEvent* event) {
+  QTableView::changeEvent(event);
+  if (event->type() != QEvent::FontChange || m_first == nullptr) return;
+  fitHeights();
+  fitColumns();
 }
 
 int StatesTable::advance(Face face, const QString& text) const {
@@ -211,17 +248,13 @@ int StatesTable::widthOf(int column) const {
     width = std::max(
         width, advance(isBold ? Face::bold : Face::plain, m_model->index(row, column).data().toString()));
   }
-  const bool atEdge = column == 0 || column == m_model->lastColumn();
-  return std::min(width + 12 + (atEdge ? kMargin : 0), 220);
+  const bool atEdge = column == 0 || column == m_model->columnCount() - 1;
+  return std::min(width + 12 + (atEdge ? kMargin : 0), scaledPixels(220));
 }
 
-std::vector<int> StatesTable::widthsNow() {
+std::vector<int> StatesTable::widthsNow() const {
   std::vector<int> widths;
-  for (int column = 0; column < m_model->columnCount(); ++column) {
-    const bool isBlank = m_model->isBlank(column);
-    if (isColumnHidden(column) != isBlank) setColumnHidden(column, isBlank);
-    widths.push_back(isBlank ? 0 : widthOf(column));
-  }
+  for (int column = 0; column < m_model->columnCount(); ++column) widths.push_back(widthOf(column));
   return widths;
 }
 
@@ -233,8 +266,7 @@ void StatesTable::fitColumns() {
   if (rest > 0 && !widths.empty()) widths[static_cast<std::size_t>(m_model->couplingCount()) + 1] += rest;
   for (int column = 0; column < m_model->columnCount(); ++column) {
     const int width = widths[static_cast<std::size_t>(column)];
-    if (!isColumnHidden(column) && m_heads->sectionSize(column) != width)
-      m_heads->resizeSection(column, width);
+    if (m_heads->sectionSize(column) != width) m_heads->resizeSection(column, width);
   }
 }
 
@@ -243,6 +275,7 @@ void StatesTable::setLookedAt(int row) {
   m_lookedAt = row;
   if (row >= 0 && row < m_model->rowCount()) scrollTo(m_model->index(row, 0));
   viewport()->update();
+  m_first->viewport()->update();
 }
 
 void StatesTable::leaveEvent(QEvent* event) {

@@ -25,6 +25,8 @@ class StatesHeader : public QHeaderView {
  public:
   explicit StatesHeader(QWidget* parent);
   void rename(int section);
+  /// As high as the type needs.
+  void fitHeight();
 
  signals:
   void renamed(int section, const QString& name);
@@ -34,7 +36,7 @@ class StatesHeader : public QHeaderView {
 };
 
 /// The shift table of a StatesModel, with columns fitted to their contents. Where there is no room for all of
-/// them it scrolls.
+/// them it scrolls beneath the names of the states.
 class StatesTable : public QTableView {
   Q_OBJECT
 
@@ -52,18 +54,22 @@ class StatesTable : public QTableView {
  protected:
   void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   /// The font of a text: the table's, its bold or its small variant.
   enum class Face { plain, bold, small };
 
+  void fitHeights();
   [[nodiscard]] int widthOf(int column) const;
-  std::vector<int> widthsNow();
+  [[nodiscard]] std::vector<int> widthsNow() const;
   /// The width of a text in a face, in pixels; cached.
   [[nodiscard]] int advance(Face face, const QString& text) const;
 
   StatesModel* m_model;
   StatesHeader* m_heads;
+  StatesHeader* m_firstHead;  ///< of the column that stays
+  QTableView* m_first;
   int m_lookedAt = -1;
   mutable QHash<QPair<int, QString>, int> m_advances;
   mutable QFont m_measured;  ///< the font of m_advances

@@ -82,7 +82,9 @@ class Work {
 
   void addTables() {
     const AnalysisSnapshot& snapshot = *m_forces->solved;
-    for (const ForceTableKind kind : allForceTableKinds())
+    std::vector<ForceTableKind> kinds = allForceTableKinds();
+    kinds.push_back(ForceTableKind::needs);
+    for (const ForceTableKind kind : kinds)
       m_forces->tables.push_back(forceTable(m_mechanism, *snapshot.kinematics->model,
                                             snapshot.kinematics->placement(), *m_forces->report, kind));
   }

@@ -40,7 +40,7 @@ struct Forces {
   /// all states if none is engaged.
   Diagnostics diagnostics;
   SceneForces arrows;              ///< for the 3D view; null if there are none
-  std::vector<ForceTable> tables;  ///< allForceTableKinds(), then the shift table if there are states
+  std::vector<ForceTable> tables;  ///< all but the shift table, which follows if there are states
 
   /// Null if there is none of this kind.
   [[nodiscard]] const ForceTable* table(ForceTableKind kind) const;

@@ -38,6 +38,8 @@ class Rows {
   void fill(ForceTable& table) {
     m_table = &table;
     switch (table.kind) {
+      case ForceTableKind::needs:
+        return needs();
       case ForceTableKind::joints:
         return joints();
       case ForceTableKind::couplings:
@@ -113,6 +115,154 @@ class Rows {
       }
     }
     return torques;
+  }
+
+  /// What has to be provided: where torques are given, where they are found, and what is engaged.
+  void needs() {
+    m_table->columns = {
+        text(toTranslate("at"),
+             toTranslate("The joint, the link, the brake or the clutch that a torque acts in or on.")),
+        text(
+            toTranslate("link"),
+            toTranslate("The link that the torque acts on, and for a clutch the one that has the reaction.")),
+        text(toTranslate("part in it"),
+             toTranslate(
+                 "A motor turns a joint at a given speed, or holds it; its torque is given or found. A "
+                 "load is given, a balance is found. A brake holds its link, a clutch joins two.")),
+        exact(toTranslate("exact torque"), "N m",
+              toTranslate("The torque on that link, with the losses where they are given.")),
+        number(toTranslate("torque"), "N m", toTranslate("The same as a decimal.")),
+        number(toTranslate("rate"), "rad/s", toTranslate("How fast it turns about its axis.")),
+        number(toTranslate("power"), "W",
+               toTranslate("Torque times rate: what is fed into the train here; below 0: what is taken. A "
+                           "clutch passes power between its links, a brake passes none.")),
+    };
+    if (!m_isAnswered) return;
+    const auto torques = torquesIn(m_report.solution());
+    for (JointOrdinal joint = 0; joint < m_model.t(); ++joint) {
+      const bool isGiven = isLoaded(joint);
+      const bool isFound = isBalance(joint);
+      if (!isGiven && !isFound) continue;
+      const auto& torque = torques[static_cast<std::size_t>(joint)];
+      const LinkOrdinal child = m_model.tree().child(joint);
+      ForceRow& line = row({jointId(joint), linkId(child)});
+      line.cells = {nameCell(toTranslate("joint %1"), std::to_string(m_mechanism.jointLabel(joint))),
+                    cell(linkName(child)), wordCell(jointPart(joint, isGiven, isFound)), exactCell(torque),
+                    decimalCell(torque)};
+      const auto rate = m_report.rateOf(joint);
+      line.cells.push_back(rate ? cell(rate->toDouble()) : ForceCell());
+      line.cells.push_back(!rate    ? ForceCell()
+                           : torque ? cell((*torque * Real(*rate)).number())
+                                    : wordCell(kShared));
+    }
+    needsOnLinks();
+    needsOfCouplings();
+  }
+
+  [[nodiscard]] bool isLoaded(JointOrdinal joint) const {
+    const auto& torques = m_report.problem.torques;
+    return std::any_of(torques.begin(), torques.end(),
+                       [joint](const AppliedTorque& each) { return each.place.joint == joint; });
+  }
+  [[nodiscard]] bool isBalance(JointOrdinal joint) const {
+    const auto& places = m_report.problem.balances;
+    return std::any_of(places.begin(), places.end(),
+                       [joint](const TorquePlace& each) { return each.joint == joint; });
+  }
+  /// Where the document states no inputs, the balances are at those that were chosen.
+  [[nodiscard]] bool isMotor(JointOrdinal joint, bool isFound) const {
+    if (!m_mechanism.inputs) return isFound && !m_mechanism.balances;
+    const JointId id = m_mechanism.turningJoints[joint].id;
+    return std::any_of(m_mechanism.inputs->begin(), m_mechanism.inputs->end(),
+                       [&id](const Input& each) { return each.joint == id; });
+  }
+  [[nodiscard]] const char* jointPart(JointOrdinal joint, bool isGiven, bool isFound) const {
+    if (isGiven && isFound) return toTranslate("load and balance");
+    if (isMotor(joint, isFound)) {
+      const auto rate = m_report.rateOf(joint);
+      if (!isGiven && rate && rate->isZero()) return toTranslate("held, found");
+      return isGiven ? toTranslate("motor, given") : toTranslate("motor, found");
+    }
+    return isGiven ? toTranslate("load") : toTranslate("balance, found");
+  }
+
+  /// The drive of a state is its motor.
+  [[nodiscard]] const char* linkPart(const LinkId& link, bool isGiven) const {
+    const bool isDriven =
+        m_report.state >= 0 && m_mechanism.states[static_cast<std::size_t>(m_report.state)].drive == link;
+    if (isDriven) return isGiven ? toTranslate("motor, given") : toTranslate("motor, found");
+    return isGiven ? toTranslate("load") : toTranslate("balance, found");
+  }
+
+  void needsOnLinks() {
+    for (const LoadReport& load : m_report.loads) {
+      const auto link = linkOf(load.load);
+      if (!link) continue;
+      const auto* torque = std::get_if<LinkTorque>(&load.load.action);
+      if (torque == nullptr) {
+        addNeedOnLink(m_links.at(*link), toTranslate("force"), {}, load.watts);
+      } else {
+        addNeedOnLink(m_links.at(*link), linkPart(*link, true), exactCell(Real(torque->torque.exact())),
+                      load.watts);
+      }
+    }
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const int balance = m_report.held[part].balance;
+      if (balance < 0) continue;
+      const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(balance)];
+      if (place.inJoint()) continue;
+      const auto torque = valueIn(m_report.solution(), m_model.c() + static_cast<int>(part));
+      const bool hasPower = m_report.motion && torque;
+      addNeedOnLink(place.link, linkPart(m_mechanism.links[place.link].id, false), exactCell(torque),
+                    hasPower ? std::optional(m_report.powers.held[part]) : std::nullopt);
+    }
+  }
+
+  /// How fast a link turns about the torque's axis, its power tells.
+  void addNeedOnLink(LinkOrdinal link, const char* part, const ForceCell& torque,
+                     const std::optional<Real>& watts) {
+    ForceRow& line = row({linkId(link)});
+    const bool turns = watts && torque.number && *torque.number != 0;
+    line.cells = {nameCell(toTranslate("link %1"), std::to_string(m_mechanism.linkLabel(link))),
+                  cell(linkName(link)),
+                  wordCell(part),
+                  torque,
+                  torque.number ? cell(*torque.number) : torque,
+                  turns ? cell(watts->number() / *torque.number) : ForceCell(),
+                  watts ? cell(watts->number()) : ForceCell()};
+  }
+
+  void needsOfCouplings() {
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const HeldPart& held = m_report.held[part];
+      if (held.coupling < 0 || !held.isMain) continue;
+      const ShiftElement& coupling = m_mechanism.couplings[held.coupling];
+      ForceRow& line = row(elementsOf(coupling));
+      const auto torque = valueIn(m_report.solution(), m_model.c() + static_cast<int>(part));
+      line.cells = {nameCell(couplingText(coupling), coupling.id.text()),
+                    cell(linksOf(coupling)),
+                    wordCell(coupling.kind == ShiftElementKind::brake    ? toTranslate("holds")
+                             : coupling.kind == ShiftElementKind::clutch ? toTranslate("joins")
+                                                                         : toTranslate("locked")),
+                    exactCell(torque),
+                    decimalCell(torque),
+                    coupling.kind == ShiftElementKind::brake ? cell(0.0) : ForceCell(),
+                    m_report.flow
+                        ? flowCell(m_report.flow->of(ElementPower::Kind::coupling, held.coupling), 0)
+                        : ForceCell()};
+    }
+  }
+
+  [[nodiscard]] static std::vector<ElementId> elementsOf(const ShiftElement& coupling) {
+    std::vector<ElementId> elements{ElementId(coupling.id)};
+    elements.insert(elements.end(), coupling.links.begin(), coupling.links.end());
+    return elements;
+  }
+  [[nodiscard]] std::string linksOf(const ShiftElement& coupling) const {
+    std::string links;
+    for (const LinkId& link : coupling.links)
+      links += (links.empty() ? "" : ", ") + linkName(m_links.at(link));
+    return links;
   }
 
   static const char* carriedBy(bool load, bool balance) {
@@ -227,15 +377,9 @@ class Rows {
       const HeldPart& held = m_report.held[part];
       if (held.coupling < 0) continue;
       const ShiftElement& coupling = m_mechanism.couplings[held.coupling];
-      std::vector<ElementId> elements{ElementId(coupling.id)};
-      std::string links;
-      for (const LinkId& link : coupling.links) {
-        elements.emplace_back(link);
-        links += (links.empty() ? "" : ", ") + linkName(m_links.at(link));
-      }
       const auto torque = valueIn(m_report.solution(), m_model.c() + static_cast<int>(part));
-      ForceRow& line = row(std::move(elements));
-      line.cells = {nameCell(couplingText(coupling), coupling.id.text()), cell(links),
+      ForceRow& line = row(elementsOf(coupling));
+      line.cells = {nameCell(couplingText(coupling), coupling.id.text()), cell(linksOf(coupling)),
                     cell(m_mechanism.axes[held.axis].id.text()), exactCell(torque), decimalCell(torque)};
       line.cells.push_back(held.isMain && m_report.flow
                                ? flowCell(m_report.flow->of(ElementPower::Kind::coupling, held.coupling), 0)
@@ -286,6 +430,7 @@ class Rows {
         number(toTranslate("to carrier"), "W",
                toTranslate("What the mesh delivers to the carrier, seen from the ground.")),
     };
+    GEARGRAPH_REQUIRE(m_table->columns.size() == static_cast<std::size_t>(MeshColumn::count));
     if (!m_isAnswered) return;
     for (MeshOrdinal mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
   }
@@ -343,6 +488,7 @@ class Rows {
     m_table->columns = {
         text(toTranslate("joint"),
              toTranslate("The turning joint, whose bearing holds its head on its tail.")),
+        text(toTranslate("turns"), toTranslate("The link beyond the joint, seen from the ground.")),
         number(toTranslate("force"), "N", toTranslate("The size of the force of the tail on the head.")),
         number("Fx", "N", toTranslate("The force of the tail on the head, in the base frame.")),
         number("Fy", "N", toTranslate("The force of the tail on the head, in the base frame.")),
@@ -362,12 +508,14 @@ class Rows {
         number("y", "", toTranslate("Where the joint is drawn, in the document's unit.")),
         number("z", "", toTranslate("Where the joint is drawn, in the document's unit.")),
     };
-    for (std::size_t i = 8; i < 11; ++i) m_table->columns[i].unit = m_mechanism.unit;
+    m_table->columns[1].isInFiles = false;
+    for (std::size_t i = 9; i < 12; ++i) m_table->columns[i].unit = m_mechanism.unit;
     if (!m_isAnswered) return;
     for (std::size_t joint = 0; joint < m_report.forces.bearings.size(); ++joint) {
       const BearingReaction& bearing = m_report.forces.bearings[joint];
       ForceRow& line = row({jointId(static_cast<int>(joint))});
       line.cells = {cell(std::to_string(m_mechanism.jointLabel(static_cast<int>(joint)))),
+                    cell(linkName(m_model.tree().child(static_cast<int>(joint)))),
                     bearing.isDetermined ? cell(length(bearing.force)) : wordCell(kShared)};
       for (const Vector3& vector : {bearing.force, bearing.moment})
         for (const double component : vector)

@@ -16,7 +16,8 @@ struct Names {
 };
 
 constexpr Names kNames[] = {
-    {ForceTableKind::joints, toTranslate("Torques"), "joint-torques"},
+    {ForceTableKind::needs, toTranslate("Torques"), "needed-torques"},
+    {ForceTableKind::joints, toTranslate("Joints"), "joint-torques"},
     {ForceTableKind::couplings, toTranslate("Couplings"), "coupling-torques"},
     {ForceTableKind::meshes, toTranslate("Meshes"), "mesh-forces"},
     {ForceTableKind::bearings, toTranslate("Bearings"), "bearings"},
@@ -30,6 +31,10 @@ const Names& namesOf(ForceTableKind kind) {
     if (names.kind == kind) return names;
   GEARGRAPH_REQUIRE(false);
   return kNames[0];
+}
+
+bool isWritten(const ForceColumn& column) {
+  return column.isInFiles && !column.isFraction;
 }
 
 std::string csvNumber(double number, const CsvOptions& options) {
@@ -47,7 +52,8 @@ const std::vector<ForceTableKind>& allForceTableKinds() {
   static const std::vector<ForceTableKind> kinds = [] {
     std::vector<ForceTableKind> all;
     for (const Names& names : kNames)
-      if (names.kind != ForceTableKind::states) all.push_back(names.kind);
+      if (names.kind != ForceTableKind::needs && names.kind != ForceTableKind::states)
+        all.push_back(names.kind);
     return all;
   }();
   return kinds;
@@ -70,7 +76,7 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
   };
   if (options.labels) {
     for (const ForceColumn& column : table.columns) {
-      if (column.isFraction) continue;
+      if (!isWritten(column)) continue;
       const std::string& head = column.headInFiles.empty() ? column.head : column.headInFiles;
       text += csvLabel(column.unit.empty() ? head : head + " [" + column.unit + ']', options.separator) +
               options.separator;
@@ -79,7 +85,7 @@ void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& op
   }
   for (const ForceRow& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      if (table.columns[i].isFraction) continue;
+      if (!isWritten(table.columns[i])) continue;
       const ForceCell& cell = row.cells[i];
       if (cell.number) {
         text += csvNumber(*cell.number, options);

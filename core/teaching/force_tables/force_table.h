@@ -12,11 +12,11 @@
 namespace geargraph {
 
 /// The tables of statics, for the window and CSV files.
-enum class ForceTableKind { joints, couplings, meshes, bearings, powers, circulations, states };
+enum class ForceTableKind { needs, joints, couplings, meshes, bearings, powers, circulations, states };
 
-/// Those of one problem: all but `states`.
+/// Those of one problem: all but `states`, and `needs`, which picks rows of others for the window.
 [[nodiscard]] const std::vector<ForceTableKind>& allForceTableKinds();
-[[nodiscard]] std::string forceTableTitle(ForceTableKind kind);             ///< "Torques", translated
+[[nodiscard]] std::string forceTableTitle(ForceTableKind kind);             ///< "Joints", translated
 [[nodiscard]] std::string_view forceTableCommandName(ForceTableKind kind);  ///< "joint-torques", of the CSV
 
 struct ForceColumn {
@@ -26,6 +26,7 @@ struct ForceColumn {
   bool isNumber = false;
   bool isFraction = false;    ///< the next column has the same values as decimals: CSV leaves this one out
   std::string headInFiles{};  ///< in English, if `head` is translated
+  bool isInFiles = true;      ///< false: a name beside a label, for people only
 };
 
 struct ForceCell {
@@ -58,6 +59,29 @@ struct ForceTable : ValueTable {
                                     const Placement& placement, const StaticsReport& report,
                                     ForceTableKind kind);
 
+/// The columns of the table of meshes.
+enum class MeshColumn {
+  mesh,
+  tail,
+  head,
+  carrier,
+  onTail,
+  onHead,
+  tangential,
+  separating,
+  forceX,
+  forceY,
+  forceZ,
+  efficiency,
+  drives,
+  rolling,
+  lost,
+  toTail,
+  toHead,
+  toCarrier,
+  count
+};
+
 /// The columns after those of the couplings in the shift table.
 enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent, circulating, count };
 
@@ -65,6 +89,12 @@ enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent,
 /// ShiftColumn: the ratio, the torque found, efficiency forward and backward, the latent ratio and the
 /// greatest circulating power, these four of the state under the torque at its drive alone.
 [[nodiscard]] ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states);
+
+/// The same for a file of its own: behind the name of each state its drive, its driven link and what it
+/// engages, behind the ratio the step from the state before. @pre `shiftTable` is of these states
+[[nodiscard]] ValueTable shiftSheet(const Mechanism& mechanism, const ValueTable& shiftTable);
+/// The largest ratio over the smallest of the states that turn forward; std::nullopt with fewer than two.
+[[nodiscard]] std::optional<double> spreadOf(const ValueTable& shiftTable);
 
 /// The table as CSV [RFC 4180]: a header row with units, then its rows; numbers as the shortest decimals that
 /// read back as the same doubles.

@@ -125,7 +125,66 @@ std::string noteOn(const Mechanism& mechanism, std::span<const StateForces> stat
                            {placesOf(mechanism, leftOut)});
 }
 
+std::string linkLabel(const Mechanism& mechanism, const std::optional<LinkId>& link) {
+  return link ? labelOf(mechanism, *link).value_or(link->text()) : std::string();
+}
+
+std::string namesOf(const std::vector<ShiftElementId>& couplings) {
+  std::string names;
+  for (const ShiftElementId& each : couplings) names += (names.empty() ? "" : " ") + each.text();
+  return names;
+}
+
+/// Of the shift table, counted from its end.
+std::size_t ratioColumn(const ValueTable& table) {
+  return table.columns.size() - static_cast<std::size_t>(ShiftColumn::count) +
+         static_cast<std::size_t>(ShiftColumn::ratio);
+}
+
 }  // namespace
+
+ValueTable shiftSheet(const Mechanism& mechanism, const ValueTable& shiftTable) {
+  ValueTable sheet = shiftTable;
+  const std::size_t ratio = ratioColumn(sheet);
+  const auto at = [](auto& list, std::size_t position) {
+    return list.begin() + static_cast<std::ptrdiff_t>(position);
+  };
+  sheet.columns.insert(
+      at(sheet.columns, ratio + 1),
+      wordedColumn(toTranslate("step"), "", toTranslate("The ratio before over this one"), true));
+  const ForceColumn ends[] = {
+      wordedColumn(toTranslate("drive"), "", toTranslate("The link that drives in the state."), false),
+      wordedColumn(toTranslate("driven"), "", toTranslate("The link that is driven in the state."), false),
+      wordedColumn(toTranslate("engaged"), "", toTranslate("The brakes and clutches that it engages."),
+                   false)};
+  sheet.columns.insert(at(sheet.columns, 1), std::begin(ends), std::end(ends));
+  std::optional<double> before;
+  for (std::size_t row = 0; row < sheet.rows.size(); ++row) {
+    std::vector<ForceCell>& cells = sheet.rows[row].cells;
+    const std::optional<double> now = cells[ratio].number;
+    ForceCell step;
+    if (before && now && *before * *now > 0) step = numberCell(*before / *now);
+    before = now;
+    cells.insert(at(cells, ratio + 1), step);
+    const ShiftState& state = mechanism.states[row];
+    const ForceCell named[] = {{linkLabel(mechanism, state.drive), std::nullopt, {}},
+                               {linkLabel(mechanism, state.driven), std::nullopt, {}},
+                               {namesOf(state.engaged), std::nullopt, {}}};
+    cells.insert(at(cells, 1), std::begin(named), std::end(named));
+  }
+  return sheet;
+}
+
+std::optional<double> spreadOf(const ValueTable& shiftTable) {
+  std::vector<double> ratios;
+  for (const ForceRow& row : shiftTable.rows) {
+    const std::optional<double> ratio = row.cells[ratioColumn(shiftTable)].number;
+    if (ratio && *ratio > 0) ratios.push_back(*ratio);
+  }
+  if (ratios.size() < 2) return std::nullopt;
+  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+  return *most / *least;
+}
 
 ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states) {
   ForceTable table;

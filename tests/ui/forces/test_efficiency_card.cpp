@@ -8,6 +8,7 @@
 #include "tests/core/support/train_sketch.h"
 #include "tests/ui/forces/open_forces_panel.h"
 #include "ui/forces/efficiency_card.h"
+#include "ui/forces/efficiency_page.h"
 #include "ui/forces/linked_table.h"
 
 namespace geargraph {
@@ -16,7 +17,10 @@ class EfficiencyCardTest : public QObject, private OpenForcesPanel {
   Q_OBJECT
 
  private slots:
-  void init() { show(); }
+  void init() {
+    show();
+    panel->showView(ForceView::efficiency);
+  }
   void cleanup() { close(); }
 
   /// The card: in symbols, with the limit of self-locking; a drag of its slider is one undo step.
@@ -98,17 +102,30 @@ class EfficiencyCardTest : public QObject, private OpenForcesPanel {
     QVERIFY(label->toolTip().contains(QLatin1String("multiplied by one factor")));
   }
 
-  /// Where the panel is narrow the card stands below the table.
+  /// Where the panel is narrow the card stands above the plot.
   void theCardFindsRoom() {
     open(loadedSet());
-    EfficiencyCard& card = panel->efficiency();
-    panel->layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as in a dock
-    panel->setMinimumSize(0, 0);
-    panel->resize(1200, 400);
-    const auto place = [&] { return card.mapTo(panel.get(), QPoint(0, 0)); };
-    QTRY_VERIFY(place().x() > panel->table().mapTo(panel.get(), QPoint(0, 0)).x() + 50);
-    panel->resize(560, 500);
-    QTRY_VERIFY(place().y() > 0 && place().x() < 20);
+    const auto place = [&](const QWidget& part) { return part.mapTo(panel.get(), QPoint(0, 0)); };
+    panel->resize(900, 400);
+    QTRY_VERIFY(place(panel->plots()).x() > place(panel->efficiency()).x() + 200);
+    panel->resize(480, 500);
+    QTRY_VERIFY(place(panel->plots()).y() > place(panel->efficiency()).y() + 20);
+    QVERIFY(place(panel->plots()).x() < 20);
+  }
+
+  /// Friction, and what meshes state themselves, stand by their names.
+  void whatMeshesStateIsNamed() {
+    open(loadedSet());
+    const auto* own = panel->findChild<QLabel*>(QStringLiteral("ownLosses"));
+    QVERIFY(!own->isVisible());
+    Mechanism mechanism = loadedSet();
+    mechanism.gearDefaults.emplace().friction = Number(Rational(1, 20));
+    mechanism.gearMeshes[1].efficiency = Number(Rational(99, 100));
+    open(mechanism);
+    QTRY_VERIFY(own->isVisible());
+    QVERIFY2(own->text().contains(QStringLiteral("μ = 1/20")) &&
+                 own->text().contains(QStringLiteral("mesh 10: η = 99/100")),
+             qPrintable(own->text()));
   }
 };
 

@@ -1,17 +1,22 @@
 #include <QAbstractItemModelTester>
-#include <QBoxLayout>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScopeGuard>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QStackedWidget>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <optional>
+#include <set>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/load_edits.h"
@@ -24,6 +29,10 @@
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
+#include "ui/forces/question_bar.h"
+#include "ui/settings/languages.h"
+#include "ui/theme/application_theme.h"
+#include "ui/theme/frozen_column.h"
 #include "ui/theme/sideways_scroll.h"
 
 namespace geargraph {
@@ -36,6 +45,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     settle();
   }
   void type(const char* name, const char* text) {
+    if (QLatin1String(name) == QLatin1String("meshEfficiency")) panel->showView(ForceView::efficiency);
     field(name).setFocus();
     field(name).selectAll();
     QTest::keyClicks(&field(name), QLatin1String(text));
@@ -57,6 +67,36 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     const double value = cell(row, head).replace(QChar(0x2212), QLatin1Char('-')).toDouble(&isNumber);
     return isNumber ? std::optional(value) : std::nullopt;
   }
+  /// The texts that have less room than they need.
+  QStringList cutOff() {
+    QStringList texts;
+    for (const QLabel* label : panel->findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->text().isEmpty()) continue;
+      const bool isWhole = label->wordWrap() ? label->height() >= label->heightForWidth(label->width())
+                                             : label->width() >= label->minimumSizeHint().width() &&
+                                                   label->height() >= label->fontMetrics().height();
+      if (!isWhole) texts += label->text();
+    }
+    for (const QWidget* control : panel->findChildren<QWidget*>()) {
+      const bool isControl = qobject_cast<const QToolButton*>(control) != nullptr ||
+                             qobject_cast<const QComboBox*>(control) != nullptr;
+      if (!isControl || !control->isVisible()) continue;
+      const bool isInside = control->parentWidget()->rect().contains(control->geometry());
+      if (control->width() < control->sizeHint().width() ||
+          control->height() < control->fontMetrics().height() || !isInside)
+        texts += control->objectName();
+    }
+    const LinkedTable& table = panel->table();
+    for (int column = 0; table.isVisible() && column < panel->model().columnCount(); ++column) {
+      if (table.isColumnHidden(column)) continue;
+      const QString head = panel->model().headerData(column, Qt::Horizontal).toString();
+      const QHeaderView& heads = *table.horizontalHeader();
+      if (table.columnWidth(column) < heads.fontMetrics().horizontalAdvance(head) ||
+          heads.height() < heads.fontMetrics().height())
+        texts += head;
+    }
+    return texts;
+  }
   int loads() { return static_cast<int>(document->mechanism()->loads.size()); }
 
  private slots:
@@ -65,6 +105,10 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
 
   void theTorquesOfAPlanetarySet() {
     open(loadedSet());
+    QCOMPARE(panel->emptyText(), QString());
+    QCOMPARE(panel->model().rowCount(), 3);
+    QCOMPARE(cell(0, "part in it"), QStringLiteral("motor, given"));
+    panel->showView(ForceView::joints);
     QCOMPARE(panel->emptyText(), QString());
     QCOMPARE(panel->model().rowCount(), 4);
     QCOMPARE(cell(0, "carried by"), QStringLiteral("load"));
@@ -92,6 +136,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     auto* dual = panel->findChild<QLabel*>(QStringLiteral("twinLine"));
     QVERIFY(!dual->isVisible());
     open(loadedSet());
+    panel->showView(ForceView::why);
     QTRY_VERIFY(dual->isVisible());
     const Mechanism& mechanism = *document->mechanism();
     selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
@@ -119,6 +164,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QSignalSpy changed(&panel->dualityLine(), &DualityLine::entryChanged);
     QSignalSpy wanted(&panel->dualityLine(), &DualityLine::entryWanted);
     open(loadedSet());
+    panel->showView(ForceView::why);
     const Mechanism& mechanism = *document->mechanism();
     const auto entry = [&](int mesh, int joint) {
       return !changed.isEmpty() &&
@@ -155,24 +201,191 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
             (QVariantList{QVariant::fromValue(ElementId()), QVariant::fromValue(ElementId())}));
   }
 
-  /// As wide as in a window of 1366 px the table has most of the room; the card has a column in wider ones.
-  void theTableHasItsRoom() {
+  /// As large as in a window of 1366 x 768 px, the answer has most of the panel.
+  void theAnswerHasItsRoom() {
     open(loadedSet());
-    const auto isBelowLoads = [&] {
-      const auto* loads = panel->findChild<LoadsList*>();
-      return loads->parentWidget() == panel->efficiency().parentWidget();
+    panel->resize(790, 290);
+    for (const ForceViewEntry& entry : forceViewEntries()) {
+      panel->showView(entry.view);
+      QCoreApplication::processEvents();
+      const auto* pages = panel->findChild<QStackedWidget*>();
+      QVERIFY2(pages->height() >= panel->height() * 55 / 100,
+               qPrintable(entry.name + QString::number(pages->height())));
+      QVERIFY(pages->width() == panel->width());
+    }
+  }
+
+  /// One question at a time: its views are offered, the first one is shown, and the last one is found again.
+  void oneQuestionAtATime() {
+    open(loadedSet());
+    const auto offered = [&] {
+      QStringList names;
+      for (const auto* chip :
+           panel->findChildren<QToolButton*>(QRegularExpression(QStringLiteral("^chip\\."))))
+        if (chip->isVisible()) names += chip->objectName().mid(5);
+      return names;
     };
-    panel->resize(800, 330);
+    QCOMPARE(offered(), (QStringList{QStringLiteral("needed-torques"), QStringLiteral("joint-torques")}));
+    press("question.flow");
+    QVERIFY(panel->view() == ForceView::powers && panel->model().kind() == ForceTableKind::powers);
+    QCOMPARE(offered(), (QStringList{QStringLiteral("powers"), QStringLiteral("losses"),
+                                     QStringLiteral("circulations"), QStringLiteral("efficiency")}));
+    QVERIFY(panel->findChild<QLabel*>(QStringLiteral("total.fed"))->isVisible());
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("addLoad"))->isVisible());
+    press("chip.losses");
+    press("question.parts");
+    QVERIFY(panel->view() == ForceView::meshes);
+    press("chip.bearings");
+    QVERIFY(panel->model().kind() == ForceTableKind::bearings && panel->model().rowCount() == 4);
+    press("question.why");
+    QVERIFY(offered().isEmpty() && panel->dualityLine().isVisible());
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportForces"))->isEnabled());
+    press("question.flow");
+    QVERIFY(panel->view() == ForceView::losses);
+    press("question.need");
+    QVERIFY(panel->view() == ForceView::needs);
+    QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("addLoad"))->isVisible());
+    // By keys, too.
+    auto* button = panel->findChild<QToolButton*>(QStringLiteral("question.need"));
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Right);
+    QVERIFY(panel->view() == ForceView::losses);
+  }
+
+  /// Of a low panel the table has most, until the loads are asked for.
+  void loadsFoldAway() {
+    open(loadedSet());
+    const auto* loads = panel->findChild<LoadsList*>();
+    panel->resize(800, 320);
+    QTRY_VERIFY(loads->isVisible());
+    panel->resize(800, 220);
+    QTRY_VERIFY(!loads->isVisible());
+    press("foldLoads");
+    QVERIFY(loads->isVisible());
+    panel->resize(800, 230);
+    QVERIFY(loads->isVisible());
+    press("foldLoads");
+    panel->resize(800, 400);
     QCoreApplication::processEvents();
-    QVERIFY2(panel->table().width() > 450, qPrintable(QString::number(panel->table().width())));
-    QVERIFY(isBelowLoads() && panel->efficiency().isVisible());
-    panel->resize(1300, 330);
+    QVERIFY(!loads->isVisible());
+    QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("foldLoads"))
+                ->text()
+                .endsWith(QLatin1String("Loads: 1")));
+  }
+
+  /// Where the row of questions has no room it is a list.
+  void questionsFoldIntoAList() {
+    open(loadedSet());
+    auto* list = panel->findChild<QComboBox*>(QStringLiteral("forceQuestion"));
+    panel->resize(900, 300);
+    QTRY_VERIFY(!panel->questions().isFolded() && !list->isVisible());
+    panel->resize(panel->minimumSizeHint().width(), 300);
+    QTRY_VERIFY(panel->questions().isFolded() && list->isVisible());
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    QVERIFY(panel->view() == ForceView::powers);
+    panel->showView(ForceView::bearings);
+    QCOMPARE(list->currentText(), QStringLiteral("What do parts carry?"));
+  }
+
+  /// Forces and losses of meshes are of one table; no value of it is in neither.
+  void meshesAnswerTwoQuestions() {
+    open(loadedSet());
+    std::set<int> shown;
+    for (const ForceView view : {ForceView::meshes, ForceView::losses}) {
+      panel->showView(view);
+      for (int column = 0; column < panel->model().columnCount(); ++column)
+        if (!panel->table().isColumnHidden(column)) shown.insert(column);
+    }
+    QCOMPARE(static_cast<int>(shown.size()), panel->model().columnCount());
+    panel->showView(ForceView::bearings);
+    for (int column = 0; column < panel->model().columnCount(); ++column)
+      QVERIFY(!panel->table().isColumnHidden(column));
+  }
+
+  /// What names a row stays when its numbers scroll.
+  void theFirstColumnStays() {
+    open(loadedSet());
+    panel->showView(ForceView::meshes);
+    panel->resize(480, 300);
     QCoreApplication::processEvents();
-    QVERIFY(!isBelowLoads() && panel->efficiency().isVisible());
-    QVERIFY(panel->table().width() > 600);
-    panel->resize(800, 330);
-    QCoreApplication::processEvents();
-    QVERIFY(isBelowLoads() && panel->efficiency().isVisible());
+    auto* first = panel->table().findChild<FrozenColumn*>();
+    QVERIFY(!first->isVisible());
+    panel->table().horizontalScrollBar()->setValue(panel->table().horizontalScrollBar()->maximum());
+    QTRY_VERIFY(first->isVisible());
+    QCOMPARE(first->columnWidth(0), panel->table().columnWidth(0));
+    const QModelIndex second = panel->model().index(1, 0);
+    QCOMPARE(first->visualRect(second).top(), panel->table().visualRect(second).top());
+    QTest::mouseClick(first->viewport(), Qt::LeftButton, Qt::NoModifier, first->visualRect(second).center());
+    QVERIFY(selection.isSelected(document->mechanism()->gearMeshes[1].id));
+  }
+
+  /// The list of the last question follows the selection, and selects.
+  void whatIsExplainedIsChosenInAList() {
+    open(loadedSet());
+    panel->showView(ForceView::why);
+    auto* list = panel->findChild<QComboBox*>(QStringLiteral("whyElement"));
+    QVERIFY(list->isVisible());
+    QCOMPARE(list->count(), 1 + 4 + 2);
+    selection.select({document->mechanism()->turningJoints[1].id});
+    QVERIFY2(list->currentText().startsWith(QLatin1String("joint 6")), qPrintable(list->currentText()));
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    QVERIFY(selection.isSelected(document->mechanism()->turningJoints[2].id));
+    QVERIFY(panel->explanation().contains(QLatin1String("T7")));
+    const auto* line = panel->findChild<QLabel*>(QStringLiteral("twinLine"));
+    press("foldRow");
+    QVERIFY(!line->isVisible());
+    press("foldRow");
+    QVERIFY(line->isVisible());
+  }
+
+  /// In the longest of the languages, with type up to twice as large, every word of the panel is whole.
+  void nothingIsCutOff_data() {
+    QTest::addColumn<double>("scale");
+    QTest::addColumn<int>("width");
+    QTest::newRow("100 %") << 1.0 << 740;
+    QTest::newRow("150 %") << 1.5 << 740;
+    QTest::newRow("200 %") << 2.0 << 1100;
+  }
+  void nothingIsCutOff() {
+    QFETCH(double, scale);
+    QFETCH(int, width);
+    close();
+    useLanguage(QStringLiteral("de"));
+    applyTheme(*qApp, Theme::light, scale);
+    const auto restore = qScopeGuard([] {
+      useLanguage(QStringLiteral("en"));
+      applyTheme(*qApp, Theme::light);
+    });
+    show();
+    panel->resize(width, 320);
+    for (const Mechanism& mechanism : {loadedSet(3), test::eightSpeed()}) {
+      open(mechanism);
+      if (!mechanism.states.empty()) panel->showState(0);
+      QTRY_VERIFY(panel->isUpToDate());
+      QVERIFY2(panel->minimumSizeHint().width() <= width,
+               qPrintable(QString::number(panel->minimumSizeHint().width())));
+      for (const ForceViewEntry& entry : forceViewEntries()) {
+        panel->showView(entry.view);
+        auto* fold = panel->findChild<QToolButton*>(QStringLiteral("foldLoads"));
+        if (fold->isVisible() && !panel->findChild<LoadsList*>()->isVisible()) fold->click();
+        QTRY_VERIFY(panel->isUpToDate());
+        QCoreApplication::processEvents();
+        QVERIFY2(cutOff().isEmpty(), qPrintable(entry.name + QStringLiteral(": ") + cutOff().join("; ")));
+      }
+    }
+    close();
+  }
+
+  /// Type that grows while the panel is open finds wider columns.
+  void columnsFollowTheType() {
+    open(loadedSet());
+    panel->showView(ForceView::joints);
+    applyTheme(*qApp, Theme::light, 1.5);
+    const auto restore = qScopeGuard([] { applyTheme(*qApp, Theme::light); });
+    QTRY_VERIFY2(cutOff().isEmpty(), qPrintable(cutOff().join("; ")));
+    QTRY_VERIFY(panel->table().rowHeight(0) >= panel->table().fontMetrics().height());
   }
 
   void itDoesNotKeepTheWindowWide() {
@@ -228,9 +441,10 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
   void everyTableIsShownAndExplained() {
     open(loadedSet());
     QAbstractItemModelTester tester(&panel->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
-    for (const ForceTableKind kind : allForceTableKinds()) {
-      panel->showTable(kind);
-      QVERIFY(panel->model().kind() == kind);
+    for (const ForceViewEntry& entry : forceViewEntries()) {
+      if (!entry.kind) continue;
+      panel->showView(entry.view);
+      QVERIFY(panel->model().kind() == *entry.kind);
       QCOMPARE(panel->model().rowCount() == 0, !panel->emptyText().isEmpty());
       for (int column = 0; column < panel->model().columnCount(); ++column) {
         QVERIFY(panel->model().headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().size() > 10);
@@ -241,14 +455,15 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     }
     for (const QLabel* label : panel->findChildren<QLabel*>(QRegularExpression(QStringLiteral("total\\..*"))))
       QVERIFY(!label->toolTip().isEmpty());
-    panel->showTable(ForceTableKind::meshes);
+    panel->showView(ForceView::meshes);
     QVERIFY(number(0, "tangential").value_or(0) != 0);
-    panel->showTable(ForceTableKind::powers);
+    panel->showView(ForceView::powers);
     QVERIFY(panel->model().rowCount() > 6);
   }
 
   void loadsAreAddedChangedAndRemoved() {
     open(loadedSet());
+    panel->showView(ForceView::joints);
     selection.select({document->mechanism()->turningJoints[2].id});
     press("addLoad");
     QCOMPARE(loads(), 2);
@@ -298,6 +513,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
 
   void rowsAndSelectionAreLinked() {
     open(loadedSet());
+    panel->showView(ForceView::joints);
     const QModelIndex ring = panel->model().index(1, 0);
     QTest::mouseClick(panel->table().viewport(), Qt::LeftButton, Qt::NoModifier,
                       panel->table().visualRect(ring).center());
@@ -307,7 +523,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QCOMPARE(panel->table().selectionModel()->selectedRows().front().row(), 2);
     selection.select({document->mechanism()->gearMeshes[1].id});
     QVERIFY(panel->table().selectionModel()->selectedRows().isEmpty());
-    panel->showTable(ForceTableKind::meshes);
+    panel->showView(ForceView::meshes);
     QCOMPARE(panel->table().selectionModel()->selectedRows().front().row(), 1);
   }
 
@@ -329,7 +545,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     auto* share = panel->findChild<QToolButton*>(QStringLiteral("shareByStiffness"));
     QVERIFY(share->isVisible());
     QVERIFY(panel->remark().contains(QLatin1String("share the load")));
-    panel->showTable(ForceTableKind::meshes);
+    panel->showView(ForceView::meshes);
     QCOMPARE(cell(0, "on tail"), QStringLiteral("shared"));
     share->click();
     settle();
@@ -351,6 +567,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
 
   void anEfficiencyOutOfRangeChangesNothing() {
     open(loadedSet());
+    panel->showView(ForceView::joints);
     type("meshEfficiency", "0.9");
     const QString torque = cell(1, "torque");
     for (const char* wrong : {"0", "-1", "2", "much"}) {
@@ -366,20 +583,22 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     auto* states = panel->findChild<QComboBox*>(QStringLiteral("forcesState"));
     QVERIFY(states->isVisible());
     QCOMPARE(states->count(), 10);
+    QVERIFY(panel->view() == ForceView::states);  // with nothing engaged and no load
     panel->showState(0);
+    QVERIFY(panel->view() == ForceView::needs);
     QTRY_VERIFY(panel->isUpToDate());
     QVERIFY(panel->remark().contains(QLatin1String("gets 1 N m")));
-    panel->showTable(ForceTableKind::couplings);
+    panel->showView(ForceView::couplings);
     QCOMPARE(panel->model().rowCount(), 3);
     type("meshEfficiency", "0.98");
-    panel->showTable(ForceTableKind::states);
+    panel->showView(ForceView::states);
     QCOMPARE(panel->model().rowCount(), 9);
     QCOMPARE(cell(5, "efficiency"), QStringLiteral("1"));
     QVERIFY(number(0, "efficiency").value_or(1) < 1);
     QVERIFY(!cell(0, "A").isEmpty());
     open(loadedSet());
     QVERIFY(!states->isVisible());
-    QVERIFY(panel->model().kind() == ForceTableKind::joints);
+    QVERIFY(panel->model().kind() == ForceTableKind::needs);
   }
 
   /// What the document engages counts without a state, and not in one.
@@ -390,7 +609,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
     gearbox.balances = std::vector<HoldingTorque>{{HoldingTorque::OnLink{gearbox.links[2].id, {}}}};
     open(gearbox);
-    panel->showTable(ForceTableKind::couplings);
+    panel->showView(ForceView::couplings);
     QCOMPARE(panel->model().rowCount(), 3);
     const QString torque = cell(0, "torque");
     QVERIFY(number(0, "torque").value_or(0) != 0);
@@ -401,13 +620,14 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QTRY_VERIFY(panel->isUpToDate());
     QCOMPARE(panel->model().rowCount(), 3);
     QVERIFY(cell(0, "torque") != torque);
-    panel->showTable(ForceTableKind::states);
+    panel->showView(ForceView::states);
     QCOMPARE(panel->model().rowCount(), 9);
     QCOMPARE(number(5, "latent").value_or(1), 0.0);  // direct drive: no tooth rolls
   }
 
   /// A document without loads costs nothing while no view shows torques; loads are solved in any case.
   void outOfSightOnlyLoadsAreSolved() {
+    panel->showView(ForceView::joints);
     panel->setAwake(false);
     Mechanism without = loadedSet();
     without.loads.clear();
@@ -462,6 +682,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
 
   void tablesAreExportedAndCopied() {
     open(loadedSet());
+    panel->showView(ForceView::joints);
     QSignalSpy wanted(panel.get(), &ForcesPanel::exportWanted);
     press("exportForces");
     QCOMPARE(wanted.count(), 1);
@@ -474,12 +695,11 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
   /// Two inputs: over the ratio of their speeds; the meshes' efficiency beside it. Off this thread, as CSV.
   void thePlots() {
     open(loadedSet());
-    press("chip.plots");
+    panel->showView(ForceView::efficiency);
     EfficiencyPage& plots = panel->plots();
     auto* axis = plots.findChild<QComboBox*>(QStringLiteral("efficiencyAxis"));
     QTRY_VERIFY(panel->isUpToDate() && plots.followed() != nullptr);
-    QVERIFY(!panel->dualityLine().isVisible());  // the plot has its room
-    QCOMPARE(axis->count(), 1);                  // lossless: only what the meshes' efficiency does
+    QCOMPARE(axis->count(), 1);  // lossless: only what the meshes' efficiency does
     type("meshEfficiency", "0.98");
     QTRY_VERIFY(panel->isUpToDate());
     QCOMPARE(axis->count(), 2);
@@ -522,6 +742,7 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
   /// A joint, in the table or in a drawing: its cutset, highlighted in all views; a mesh: which gear drives.
   void whatIsSelectedIsExplained() {
     open(loadedSet());
+    panel->showView(ForceView::why);
     QCOMPARE(panel->explanation(), QString());
     const auto& mechanism = *document->mechanism();
     selection.select({mechanism.turningJoints[2].id});
@@ -538,6 +759,10 @@ class ForcesPanelTest : public QObject, private OpenForcesPanel {
     QVERIFY(panel->explanation().contains("drives gear"));
     QVERIFY(selection.hovered().empty());
     selection.select({mechanism.turningJoints[2].id});
+    panel->showView(ForceView::joints);  // nothing is lit that nothing tells of
+    QVERIFY(selection.hovered().empty());
+    panel->showView(ForceView::why);
+    QVERIFY(!selection.hovered().empty());
     panel->setAwake(false);
     QCOMPARE(panel->explanation(), QString());
     QVERIFY(selection.hovered().empty());

@@ -373,6 +373,7 @@ class WindowForcesTest : public QObject {
   void theSharedEntryIsFramedInMatrices() {
     open(set());
     show("dock.forces");
+    window->forces().showView(ForceView::why);
     QTRY_VERIFY(window->forces().dualityLine().isVisible());
     const Mechanism& mechanism = *window->document().mechanism();
     window->selection().select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});

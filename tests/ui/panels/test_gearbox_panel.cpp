@@ -1,8 +1,10 @@
 #include <QAbstractItemModelTester>
 #include <QApplication>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QScopeGuard>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
@@ -15,6 +17,8 @@
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/states_table.h"
+#include "ui/theme/application_theme.h"
+#include "ui/theme/frozen_column.h"
 
 namespace geargraph {
 
@@ -87,7 +91,8 @@ class GearboxPanelTest : public QObject {
   /// states.
   void theShiftTableShowsTorques() {
     const int couplings = panel->model().couplingCount();
-    QVERIFY(table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+    const int efficiency = couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency);
+    QVERIFY(!table().isColumnHidden(efficiency));
     auto torques = std::make_shared<ForceTable>(shiftTable(*document->mechanism(), {}));
     for (const ShiftState& state : document->mechanism()->states) {
       ForceRow& row = torques->rows.emplace_back();
@@ -113,7 +118,6 @@ class GearboxPanelTest : public QObject {
     QCOMPARE(text(8, StatesModel::Tail::backward), QStringLiteral("locks"));
     QCOMPARE(text(0, StatesModel::Tail::circulating), QStringLiteral("·"));
     QCOMPARE(text(8, StatesModel::Tail::circulating), QStringLiteral("0.528"));
-    QVERIFY(!table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
     QVERIFY(panel->remark().contains(QLatin1String("for 1 N m at the drive")));
     // Where there is no room the table scrolls; nothing of it is left out.
     panel->resize(1100, 420);
@@ -121,14 +125,95 @@ class GearboxPanelTest : public QObject {
     panel->resize(380, 420);
     QCOMPARE(table().columnWidth(1), wide);
     QTRY_VERIFY(table().horizontalScrollBar()->maximum() > 0);
-    QVERIFY(!table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+    QVERIFY(!table().isColumnHidden(efficiency));
+    // The names of the states stay.
+    auto* names = table().findChild<FrozenColumn*>();
+    table().horizontalScrollBar()->setValue(table().horizontalScrollBar()->maximum());
+    QTRY_VERIFY(names->isVisible());
+    QCOMPARE(names->columnWidth(0), table().columnWidth(0));
+    QCOMPARE(names->horizontalHeader()->height(), table().horizontalHeader()->height());
+    table().horizontalScrollBar()->setValue(0);
+    QTRY_VERIFY(!names->isVisible());
+    // The file has what each state engages, and between which links.
     QSignalSpy wanted(panel.get(), &GearboxPanel::exportWanted);
-    panel->wantExport();
-    QVERIFY(wanted.count() == 1 && wanted[0][1].toString().contains(QLatin1String("\n1,1.23188")));
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("exportStates")), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    const QString csv = wanted[0][1].toString();
+    QVERIFY2(csv.startsWith(QLatin1String("state,drive,driven,engaged,A [N m]")), qPrintable(csv));
+    QVERIFY2(csv.contains(QLatin1String("\n1,1,8,A B C,1.23188")), qPrintable(csv));
     // They belong to these states only.
     press("addState");
     QCOMPARE(panel->model().index(0, 1).data().toString(), QString());
-    QVERIFY(table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportStates"))->isEnabled());
+  }
+
+  /// The efficiency of the meshes is set here, too, and the spread of the ratios is told.
+  void whatTheTorquesAreUnder() {
+    auto* efficiency = panel->findChild<NumberField*>(QStringLiteral("gearboxEfficiency"));
+    efficiency->setValue(QStringLiteral("0.98"));
+    QCOMPARE(document->mechanism()->gearDefaults->efficiency->exact(), Rational(98, 100));
+    document->undoStack().undo();
+    QVERIFY(!efficiency->number());
+    auto* spread = panel->findChild<QLabel*>(QStringLiteral("spread"));
+    auto* share = panel->findChild<QToolButton*>(QStringLiteral("shareInStates"));
+    QVERIFY(!spread->isVisible() && !share->isVisible());
+    auto torques = std::make_shared<ForceTable>(shiftTable(*document->mechanism(), {}));
+    torques->rows.resize(document->mechanism()->states.size());
+    for (ForceRow& row : torques->rows) row.cells.resize(torques->columns.size());
+    const std::size_t ratio =
+        1 + document->mechanism()->couplings.size() + static_cast<std::size_t>(ShiftColumn::ratio);
+    torques->rows[0].cells[ratio] = {"4.5", 4.5, {}};
+    torques->rows[1].cells[ratio] = {"1.5", 1.5, {}};
+    torques->rows[2].cells[ratio] = {"-9", -9.0, {}};
+    torques->rows[0].cells[1] = {"shared", std::nullopt, {}};
+    panel->setTorques(torques, document->mechanism());
+    QVERIFY(spread->isVisible());
+    QCOMPARE(spread->text(), QStringLiteral("spread 3.000"));
+    QVERIFY(share->isVisible());
+    QTest::mouseClick(share, Qt::LeftButton);
+    QCOMPARE(document->mechanism()->sharing, std::optional(LoadSharing::stiffness));
+  }
+
+  /// Two states side by side; what differs is bold.
+  void statesAreCompared() {
+    click(3, 0);
+    press("compareStates");
+    auto* compared = panel->findChild<QTableView*>(QStringLiteral("comparedStates"));
+    QVERIFY(compared->isVisible() && !table().isVisible());
+    const QAbstractItemModel& values = *compared->model();
+    const auto row = [&](const char* name) {
+      for (int i = 0; i < values.rowCount(); ++i)
+        if (values.index(i, 0).data().toString() == QLatin1String(name)) return i;
+      return -1;
+    };
+    QCOMPARE(values.headerData(1, Qt::Horizontal).toString(), QStringLiteral("state 4"));
+    QCOMPARE(values.headerData(2, Qt::Horizontal).toString(), QStringLiteral("state 5"));
+    QCOMPARE(values.index(row("ratio"), 1).data().toString(), QStringLiteral("5/3"));
+    QVERIFY(values.index(row("ratio"), 1).data(Qt::FontRole).value<QFont>().bold());
+    QVERIFY(row("engaged") >= 0 && row("A, N m") >= 0 && row("step") >= 0);
+    auto* other = panel->findChild<QComboBox*>(QStringLiteral("otherState"));
+    other->setFocus();
+    QTest::keyClick(other, Qt::Key_Up);
+    QCOMPARE(values.index(row("ratio"), 2).data().toString(), QStringLiteral("5/3"));
+    QVERIFY(!values.index(row("ratio"), 2).data(Qt::FontRole).value<QFont>().bold());
+    press("compareStates");
+    QVERIFY(table().isVisible());
+    press("compareStates");
+    document->replace(Mechanism(), {});
+    settle();
+    QVERIFY(!compared->isVisible());
+    QVERIFY(!panel->emptyText().isEmpty());
+  }
+
+  /// Larger type has higher rows and heads, and wider columns.
+  void theTableFollowsTheType() {
+    const int head = table().horizontalHeader()->height();
+    const int width = table().columnWidth(0);
+    applyTheme(*qApp, Theme::light, 1.5);
+    const auto restore = qScopeGuard([] { applyTheme(*qApp, Theme::light); });
+    QTRY_VERIFY(table().horizontalHeader()->height() >= head * 14 / 10);
+    QTRY_VERIFY(table().columnWidth(0) > width);
+    QTRY_VERIFY(table().rowHeight(0) >= table().fontMetrics().height());
   }
 
   /// The field is the document's member; empty it shows what acts then. Loads beside it are named.
@@ -212,7 +297,7 @@ class GearboxPanelTest : public QObject {
   }
 
   void aClickOnAStateEngagesIt() {
-    click(0, panel->model().lastColumn() - 1);
+    click(0, panel->model().couplingCount() + 2);
     QVERIFY(panel->model().isRunning(0));
     QVERIFY(!panel->model().isRunning(1));
     QCOMPARE(document->undoStack().count(), 1);

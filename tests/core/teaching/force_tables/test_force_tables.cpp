@@ -62,6 +62,51 @@ class ForceTablesTest : public QObject {
     QVERIFY(table.rows[0].elements.front() == ElementId(train.mechanism.turningJoints[0].id));
   }
 
+  /// Only where torques are put in, with what each is and the names of links.
+  void whatIsNeededOfAPlanetarySet() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    const StaticsReport report = reportOf(train, picture.options);
+    const ForceTable table = tableOf(train, report, ForceTableKind::needs);
+    QCOMPARE(column(table, "at"), (std::vector<std::string>{"joint 5", "joint 6", "joint 7"}));
+    QCOMPARE(column(table, "link").front(), std::string("1 sun"));
+    QCOMPARE(column(table, "part in it"),
+             (std::vector<std::string>{"motor, given", "held, found", "balance, found"}));
+    QCOMPARE(column(table, "exact torque"), (std::vector<std::string>{"10", "2401/100", "-3401/100"}));
+    QCOMPARE(column(table, "rate"), (std::vector<std::string>{"100", "0", "28.5714"}));
+    QCOMPARE(column(table, "power"), (std::vector<std::string>{"1000", "0", "-971.714"}));
+  }
+
+  /// In a state: its drive, its driven link, and what is engaged.
+  void whatIsNeededInAState() {
+    const StaticsCase train(eightSpeed());
+    StaticsOptions options;
+    options.state = 0;
+    options.driveTorque = Rational(1);
+    const StaticsReport report = reportOf(train, options);
+    QVERIFY(report.lossless.isBalanced());
+    const ForceTable table = tableOf(train, report, ForceTableKind::needs);
+    const std::size_t engaged = train.mechanism.states[0].engaged.size();
+    QCOMPARE(table.rows.size(), 2 + engaged);
+    QCOMPARE(column(table, "part in it").front(), std::string("motor, given"));
+    QCOMPARE(column(table, "part in it")[1], std::string("balance, found"));
+    QCOMPARE(column(table, "exact torque").front(), std::string("1"));
+    QCOMPARE(column(table, "at")[2], "brake " + train.mechanism.states[0].engaged.front().text());
+    QCOMPARE(column(table, "power").front(), column(table, "rate").front());  // of 1 N m
+    QVERIFY(table.rows[2].elements.front() == ElementId(train.mechanism.states[0].engaged.front()));
+  }
+
+  /// The link of a bearing is named for people; files have its joint.
+  void bearingsAreNamedOnTheScreenOnly() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    const ForceTable table = tableOf(train, reportOf(train, picture.options), ForceTableKind::bearings);
+    QCOMPARE(column(table, "turns").front(), std::string("1 sun"));
+    TextSink sink;
+    writeForceCsv(sink, table);
+    QVERIFY2(sink.text().starts_with("joint,force [N]"), sink.text().c_str());
+  }
+
   /// What acts on links from outside stands below the joints.
   void loadsAndBalancesOnLinks() {
     const StaticsCase train(eightSpeed());

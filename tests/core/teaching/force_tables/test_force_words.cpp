@@ -91,7 +91,9 @@ class ForceWordsTest : public QObject {
     for (const int planets : {1, 3}) {
       const Loaded loaded(planets);
       const std::vector<std::string> names = namesIn(loaded.train.mechanism);
-      for (const ForceTableKind kind : allForceTableKinds()) {
+      std::vector<ForceTableKind> kinds = allForceTableKinds();
+      kinds.push_back(ForceTableKind::needs);
+      for (const ForceTableKind kind : kinds) {
         verifyTranslated(forceTableTitle(kind), names);
         verifyTable(loaded.table(kind), names);
       }
