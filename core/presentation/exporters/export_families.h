@@ -16,6 +16,7 @@ namespace geargraph {
 [[nodiscard]] ExportFamily solidFamily();
 [[nodiscard]] ExportFamily profileFamily();
 [[nodiscard]] ExportFamily assemblyFamily();
+[[nodiscard]] ExportFamily kitFamily();
 [[nodiscard]] ExportFamily simulatorFamily();
 [[nodiscard]] ExportFamily jointModelFamily();
 [[nodiscard]] ExportFamily controllerFamily();

@@ -16,6 +16,7 @@ constexpr std::string_view kOfMatrices = toTranslate("Matrices");
 constexpr std::string_view kOfDerivations = toTranslate("Derivations");
 constexpr std::string_view kOfHandouts = toTranslate("Handouts");
 constexpr std::string_view kOfSolids = toTranslate("Solids");
+constexpr std::string_view kOfKits = toTranslate("Print kits");
 constexpr std::string_view kOfSimulators = toTranslate("Simulators");
 constexpr std::string_view kOfControllers = toTranslate("Controllers");
 constexpr std::string_view kOfViews =
@@ -202,6 +203,19 @@ constexpr std::array kRows = {
                  "allow); also with assembly, mjcf and urdf (0.01)")},
             kOfSolids),
         toTranslate("Tolerance")},
+    Row{composed({"--bed", "WxD", toTranslate("the plate of the printer, mm (220x220)")}, kOfKits),
+        toTranslate("Plate of the printer")},
+    Row{composed({"--play", "MM", toTranslate("play on either flank of a tooth, mm (0.15)")}, kOfKits),
+        toTranslate("Play of the teeth")},
+    Row{composed({"--clearance", "MM", toTranslate("by which bores are wider than their shafts, mm (0.2)")},
+                 kOfKits),
+        toTranslate("Clearance of bores")},
+    Row{composed({"--chamfer", "MM",
+                  toTranslate("by which the lowest layers are narrower, against their spread, mm (0.4)")},
+                 kOfKits),
+        toTranslate("Chamfer of first layers")},
+    Row{composed({"--scale", "FACTOR", toTranslate("by which all lengths are multiplied (1)")}, kOfKits),
+        toTranslate("Scale")},
     Row{composed(kGravityOption, kOfSimulators), toTranslate("Gravity")},
     Row{composed(kDensityOption, kOfSimulators), toTranslate("Density")},
     Row{composed(

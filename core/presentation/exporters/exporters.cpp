@@ -65,9 +65,9 @@ std::optional<int> fitOf(const Exporter& exporter, const OptionValues& given) {
 
 std::span<const ExportFamily> exportFamilies() {
   static const std::array kFamilies = {
-      matrixFamily(),    derivationFamily(), handoutFamily(), drawingFamily(),   pictureFamily(),
-      animationFamily(), seenSolidFamily(),  solidFamily(),   profileFamily(),   assemblyFamily(),
-      simulatorFamily(), jointModelFamily(), graphFamily(),   controllerFamily()};
+      matrixFamily(),    derivationFamily(), handoutFamily(),    drawingFamily(), pictureFamily(),
+      animationFamily(), seenSolidFamily(),  solidFamily(),      profileFamily(), assemblyFamily(),
+      kitFamily(),       simulatorFamily(),  jointModelFamily(), graphFamily(),   controllerFamily()};
   return kFamilies;
 }
 
