@@ -19373,6 +19373,338 @@ Radpaare / Steg: %3</translation>
         <source>Export the table with drive, driven, what is engaged and steps to a CSV file</source>
         <translation>Die Tabelle mit Antrieb, Abtrieb, geschlossenen Schaltelementen und Stufensprüngen als CSV-Datei exportieren</translation>
     </message>
+    <message>
+        <source>A part of the mechanism has no form that prints.</source>
+        <translation>Ein Teil des Mechanismus hat keine druckbare Form.</translation>
+    </message>
+    <message>
+        <source>Printed parts would overlap.</source>
+        <translation>Gedruckte Teile würden sich überschneiden.</translation>
+    </message>
+    <message>
+        <source>A part does not fit the plate.</source>
+        <translation>Ein Teil passt nicht auf die Platte.</translation>
+    </message>
+    <message>
+        <source>--bed is a width and a depth in mm from %1 to %2, like 220x220.</source>
+        <translation>--bed ist eine Breite und eine Tiefe in mm von %1 bis %2, etwa 220x220.</translation>
+    </message>
+    <message>
+        <source>the print kit</source>
+        <translation>der Druckbausatz</translation>
+    </message>
+    <message>
+        <source>--to kit writes a folder; &quot;-&quot; is none.</source>
+        <translation>--to kit schreibt einen Ordner; &quot;-&quot; ist keiner.</translation>
+    </message>
+    <message>
+        <source>%1 parts on %2 plate(s).</source>
+        <translation>%1 Teile auf %2 Platte(n).</translation>
+    </message>
+    <message>
+        <source>Print kit: parts for a 3D printer</source>
+        <translation>Druckbausatz: Teile für einen 3D-Drucker</translation>
+    </message>
+    <message>
+        <source>parts for a 3D printer, with their assembly</source>
+        <translation>Teile für einen 3D-Drucker, mit ihrem Zusammenbau</translation>
+    </message>
+    <message>
+        <source>Print kits</source>
+        <translation>Druckbausätze</translation>
+    </message>
+    <message>
+        <source>Axes of the ground have several directions; a base holds one.</source>
+        <translation>Achsen des Gestells haben mehrere Richtungen; eine Grundplatte hält eine.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 is fixed to the ground, for which the kit has no part.</source>
+        <translation>Das Rad %1 ist am Gestell fest; dafür hat der Bausatz kein Teil.</translation>
+    </message>
+    <message>
+        <source>The ring %1 is too near to the base.</source>
+        <translation>Das Hohlrad %1 ist der Grundplatte zu nah.</translation>
+    </message>
+    <message>
+        <source>There is no room for posts beside what turns.</source>
+        <translation>Neben dem, was sich dreht, ist kein Platz für Säulen.</translation>
+    </message>
+    <message>
+        <source>Parts reach below the lowest bearing of the ground, so that no base fits there; move that joint along its axis.</source>
+        <translation>Teile reichen unter das unterste Lager des Gestells, so dass dort keine Grundplatte passt; das Gelenk längs seiner Achse verschieben.</translation>
+    </message>
+    <message>
+        <source>A bearing of link %1 is too near to its arm for a printed pedestal.</source>
+        <translation>Ein Lager von Glied %1 ist seinem Arm zu nah für einen gedruckten Lagerbock.</translation>
+    </message>
+    <message>
+        <source>An arm of link %1 is neither parallel nor at right angles to its bearing.</source>
+        <translation>Ein Arm von Glied %1 steht weder parallel noch rechtwinklig zu seinem Lager.</translation>
+    </message>
+    <message>
+        <source>There are no wheels to print.</source>
+        <translation>Es gibt keine Räder zu drucken.</translation>
+    </message>
+    <message>
+        <source>Belts are not printed.</source>
+        <translation>Riemen werden nicht gedruckt.</translation>
+    </message>
+    <message>
+        <source>The train is too large for a kit.</source>
+        <translation>Das Getriebe ist zu groß für einen Bausatz.</translation>
+    </message>
+    <message>
+        <source>Links overlap in 3D, so their printed parts would too.</source>
+        <translation>Glieder überschneiden sich in 3D, also auch ihre gedruckten Teile.</translation>
+    </message>
+    <message>
+        <source>Several rings on one axis are joined by drums around each other, which the kit cannot divide.</source>
+        <translation>Mehrere Hohlräder auf einer Achse sind durch Trommeln umeinander verbunden, die der Bausatz nicht teilen kann.</translation>
+    </message>
+    <message>
+        <source>A link turns on a pin across the axis of another, for which the kit has no part.</source>
+        <translation>Ein Glied dreht sich auf einem Bolzen quer zur Achse eines anderen; dafür hat der Bausatz kein Teil.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 has no teeth.</source>
+        <translation>Das Rad %1 hat keine Zähne.</translation>
+    </message>
+    <message>
+        <source>The bevel %1 has so flat or so steep a cone that it does not print on a face.</source>
+        <translation>Das Kegelrad %1 hat einen so flachen oder so steilen Kegel, dass es auf keiner Stirnseite druckbar ist.</translation>
+    </message>
+    <message>
+        <source>Link %1 turns on a pin of link %2, for which the kit has no part.</source>
+        <translation>Glied %1 dreht sich auf einem Bolzen von Glied %2; dafür hat der Bausatz kein Teil.</translation>
+    </message>
+    <message>
+        <source>The face of wheel %1 is %2 mm instead of %3 mm, so that it clears %4.</source>
+        <translation>Die Zahnbreite von Rad %1 ist %2 mm statt %3 mm, damit es an %4 vorbeikommt.</translation>
+    </message>
+    <message>
+        <source>The ring %1 is joined to its link by more than a disc.</source>
+        <translation>Das Hohlrad %1 ist mit seinem Glied durch mehr als eine Scheibe verbunden.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 is on no shaft of its link.</source>
+        <translation>Das Rad %1 sitzt auf keiner Welle seines Glieds.</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>ring gear</source>
+        <translation>Hohlrad</translation>
+    </message>
+    <message>
+        <source>arm or carrier plate</source>
+        <translation>Arm oder Stegplatte</translation>
+    </message>
+    <message>
+        <source>pedestal with a tenon</source>
+        <translation>Lagerbock mit Zapfen</translation>
+    </message>
+    <message>
+        <source>base plate</source>
+        <translation>Grundplatte</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>Brücke</translation>
+    </message>
+    <message>
+        <source>post</source>
+        <translation>Säule</translation>
+    </message>
+    <message>
+        <source>spacer</source>
+        <translation>Abstandsring</translation>
+    </message>
+    <message>
+        <source>clip, pressed on</source>
+        <translation>Klemmring, aufgepresst</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>Engraved</source>
+        <translation>Graviert</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>All parts lie on a flat face and need no supports: nothing hangs over by more than %1 degrees from the upright.</source>
+        <translation>Alle Teile liegen auf einer ebenen Fläche und brauchen keine Stützen: nichts hängt um mehr als %1 Grad gegen die Senkrechte über.</translation>
+    </message>
+    <message>
+        <source>Supports are needed below the teeth of: %1.</source>
+        <translation>Stützen sind nötig unter den Zähnen von: %1.</translation>
+    </message>
+    <message>
+        <source>Shafts and screws</source>
+        <translation>Wellen und Schrauben</translation>
+    </message>
+    <message>
+        <source>Shafts are printed lying on their flat, which keys what is pressed on them. Round rods of the same diameter do as well, with a flat filed to the same depth.</source>
+        <translation>Wellen werden liegend auf ihrer Abflachung gedruckt, die das Aufgepresste gegen Verdrehen sichert. Rundstäbe desselben Durchmessers gehen auch, mit einer gleich tief gefeilten Fläche.</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Durchmesser, mm</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Länge, mm</translation>
+    </message>
+    <message>
+        <source>No screws are needed.</source>
+        <translation>Schrauben sind nicht nötig.</translation>
+    </message>
+    <message>
+        <source>%1 countersunk screws M%2 × %3, which cut their thread in the part</source>
+        <translation>%1 Senkschrauben M%2 × %3, die ihr Gewinde in das Teil schneiden</translation>
+    </message>
+    <message>
+        <source>the space with %1 square(s) on %2</source>
+        <translation>die Lücke mit %1 Quadrat(en) auf %2</translation>
+    </message>
+    <message>
+        <source>the tooth with %1 dot(s) on %2</source>
+        <translation>der Zahn mit %1 Punkt(en) auf %2</translation>
+    </message>
+    <message>
+        <source>the space after tooth %1 of %2 (no room for a mark)</source>
+        <translation>die Lücke nach Zahn %1 von %2 (kein Platz für eine Marke)</translation>
+    </message>
+    <message>
+        <source>tooth %1 of %2 (no room for a mark)</source>
+        <translation>Zahn %1 von %2 (kein Platz für eine Marke)</translation>
+    </message>
+    <message>
+        <source>Teeth that meet</source>
+        <translation>Zähne, die zusammenkommen</translation>
+    </message>
+    <message>
+        <source>Put the wheels together with each marked tooth in the marked space. All marks meet at once in the pose of assembly.3mf.</source>
+        <translation>Setzen Sie die Räder so zusammen, dass jeder markierte Zahn in der markierten Lücke steht. Alle Marken treffen sich zugleich in der Lage von assembly.3mf.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2 goes into %3.</source>
+        <translation>Zahneingriff %1: %2 gehört in %3.</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>von unten</translation>
+    </message>
+    <message>
+        <source>along (%1, %2, %3)</source>
+        <translation>längs (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>Order of assembly</source>
+        <translation>Reihenfolge des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>Each part comes to its place past all those before it, as assembly.3mf shows it. Turn wheels a little where teeth meet.</source>
+        <translation>Jedes Teil kommt an allen früheren vorbei an seinen Platz, wie assembly.3mf ihn zeigt. Räder ein wenig drehen, wo Zähne zusammenkommen.</translation>
+    </message>
+    <message>
+        <source>no straight way was found free; bend or turn it in</source>
+        <translation>es fand sich kein gerader freier Weg; biegen oder eindrehen</translation>
+    </message>
+    <message>
+        <source>Plate %1</source>
+        <translation>Platte %1</translation>
+    </message>
+    <message>
+        <source>Print kit</source>
+        <translation>Druckbausatz</translation>
+    </message>
+    <message>
+        <source>Print kit: %1</source>
+        <translation>Druckbausatz: %1</translation>
+    </message>
+    <message>
+        <source>Play %1 mm on each flank, bores %2 mm wider than their shafts, first layers narrower by %3 mm, scale %4. Lengths are in mm.</source>
+        <translation>Spiel %1 mm an jeder Flanke, Bohrungen %2 mm weiter als ihre Wellen, erste Schichten um %3 mm schmaler, Maßstab %4. Längen sind in mm.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; measures %2 mm by %3 mm and does not fit the plate; scale the kit down.</source>
+        <translation>&quot;%1&quot; misst %2 mm mal %3 mm und passt nicht auf die Platte; den Bausatz verkleinern.</translation>
+    </message>
+    <message>
+        <source>Printed, &quot;%1&quot; and &quot;%2&quot; would overlap.</source>
+        <translation>Gedruckt würden sich &quot;%1&quot; und &quot;%2&quot; überschneiden.</translation>
+    </message>
+    <message>
+        <source>The ground has no bearing that a base could hold.</source>
+        <translation>Das Gestell hat kein Lager, das eine Grundplatte halten könnte.</translation>
+    </message>
+    <message>
+        <source>Edges of &quot;%1&quot; cross each other at this size; try another scale.</source>
+        <translation>Kanten von &quot;%1&quot; überkreuzen sich in dieser Größe; einen anderen Maßstab versuchen.</translation>
+    </message>
+    <message>
+        <source>the plate of the printer, mm (220x220)</source>
+        <translation>die Platte des Druckers, mm (220x220)</translation>
+    </message>
+    <message>
+        <source>Plate of the printer</source>
+        <translation>Platte des Druckers</translation>
+    </message>
+    <message>
+        <source>play on either flank of a tooth, mm (0.15)</source>
+        <translation>Spiel an jeder Flanke eines Zahns, mm (0.15)</translation>
+    </message>
+    <message>
+        <source>Play of the teeth</source>
+        <translation>Spiel der Zähne</translation>
+    </message>
+    <message>
+        <source>by which bores are wider than their shafts, mm (0.2)</source>
+        <translation>um wie viel Bohrungen weiter sind als ihre Wellen, mm (0.2)</translation>
+    </message>
+    <message>
+        <source>Clearance of bores</source>
+        <translation>Spiel der Bohrungen</translation>
+    </message>
+    <message>
+        <source>by which the lowest layers are narrower, against their spread, mm (0.4)</source>
+        <translation>um wie viel die untersten Schichten schmaler sind, gegen ihr Breitlaufen, mm (0.4)</translation>
+    </message>
+    <message>
+        <source>Chamfer of first layers</source>
+        <translation>Fase der ersten Schichten</translation>
+    </message>
+    <message>
+        <source>by which all lengths are multiplied (1)</source>
+        <translation>womit alle Längen multipliziert werden (1)</translation>
+    </message>
+    <message>
+        <source>sign of a belt</source>
+        <translation>Vorzeichen eines Riemens</translation>
+    </message>
+    <message>
+        <source>sign of pins in holes</source>
+        <translation>Vorzeichen von Bolzen in Löchern</translation>
+    </message>
+    <message>
+        <source>sign of gears on axes that cross</source>
+        <translation>Vorzeichen von Rädern auf Achsen, die sich kreuzen</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

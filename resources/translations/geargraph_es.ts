@@ -19373,6 +19373,338 @@ pares / portasatélites: %3</translation>
         <source>Export the table with drive, driven, what is engaged and steps to a CSV file</source>
         <translation>Exportar la tabla con entrada, salida, elementos activados y saltos a un archivo CSV</translation>
     </message>
+    <message>
+        <source>A part of the mechanism has no form that prints.</source>
+        <translation>Una parte del mecanismo no tiene forma imprimible.</translation>
+    </message>
+    <message>
+        <source>Printed parts would overlap.</source>
+        <translation>Las piezas impresas se solaparían.</translation>
+    </message>
+    <message>
+        <source>A part does not fit the plate.</source>
+        <translation>Una pieza no cabe en la placa.</translation>
+    </message>
+    <message>
+        <source>--bed is a width and a depth in mm from %1 to %2, like 220x220.</source>
+        <translation>--bed es un ancho y un fondo en mm de %1 a %2, como 220x220.</translation>
+    </message>
+    <message>
+        <source>the print kit</source>
+        <translation>el kit de impresión</translation>
+    </message>
+    <message>
+        <source>--to kit writes a folder; &quot;-&quot; is none.</source>
+        <translation>--to kit escribe una carpeta; &quot;-&quot; no lo es.</translation>
+    </message>
+    <message>
+        <source>%1 parts on %2 plate(s).</source>
+        <translation>%1 piezas en %2 placa(s).</translation>
+    </message>
+    <message>
+        <source>Print kit: parts for a 3D printer</source>
+        <translation>Kit de impresión: piezas para una impresora 3D</translation>
+    </message>
+    <message>
+        <source>parts for a 3D printer, with their assembly</source>
+        <translation>piezas para una impresora 3D, con su montaje</translation>
+    </message>
+    <message>
+        <source>Print kits</source>
+        <translation>Kits de impresión</translation>
+    </message>
+    <message>
+        <source>Axes of the ground have several directions; a base holds one.</source>
+        <translation>Los ejes del bastidor tienen varias direcciones; una base sostiene una.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 is fixed to the ground, for which the kit has no part.</source>
+        <translation>La rueda %1 está fija al bastidor; el kit no tiene pieza para ello.</translation>
+    </message>
+    <message>
+        <source>The ring %1 is too near to the base.</source>
+        <translation>La corona %1 está demasiado cerca de la base.</translation>
+    </message>
+    <message>
+        <source>There is no room for posts beside what turns.</source>
+        <translation>No hay sitio para columnas junto a lo que gira.</translation>
+    </message>
+    <message>
+        <source>Parts reach below the lowest bearing of the ground, so that no base fits there; move that joint along its axis.</source>
+        <translation>Hay piezas por debajo del cojinete más bajo del bastidor y allí no cabe una base; mueva esa articulación a lo largo de su eje.</translation>
+    </message>
+    <message>
+        <source>A bearing of link %1 is too near to its arm for a printed pedestal.</source>
+        <translation>Un cojinete del eslabón %1 está demasiado cerca de su brazo para un soporte impreso.</translation>
+    </message>
+    <message>
+        <source>An arm of link %1 is neither parallel nor at right angles to its bearing.</source>
+        <translation>Un brazo del eslabón %1 no es paralelo ni perpendicular a su cojinete.</translation>
+    </message>
+    <message>
+        <source>There are no wheels to print.</source>
+        <translation>No hay ruedas que imprimir.</translation>
+    </message>
+    <message>
+        <source>Belts are not printed.</source>
+        <translation>Las correas no se imprimen.</translation>
+    </message>
+    <message>
+        <source>The train is too large for a kit.</source>
+        <translation>El tren es demasiado grande para un kit.</translation>
+    </message>
+    <message>
+        <source>Links overlap in 3D, so their printed parts would too.</source>
+        <translation>Los eslabones se solapan en 3D, y también lo harían sus piezas impresas.</translation>
+    </message>
+    <message>
+        <source>Several rings on one axis are joined by drums around each other, which the kit cannot divide.</source>
+        <translation>Varias coronas de un eje están unidas por tambores unos dentro de otros, que el kit no puede dividir.</translation>
+    </message>
+    <message>
+        <source>A link turns on a pin across the axis of another, for which the kit has no part.</source>
+        <translation>Un eslabón gira sobre un pasador transversal al eje de otro; el kit no tiene pieza para ello.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 has no teeth.</source>
+        <translation>La rueda %1 no tiene dientes.</translation>
+    </message>
+    <message>
+        <source>The bevel %1 has so flat or so steep a cone that it does not print on a face.</source>
+        <translation>El engranaje cónico %1 tiene un cono tan plano o tan agudo que no se imprime sobre una cara.</translation>
+    </message>
+    <message>
+        <source>Link %1 turns on a pin of link %2, for which the kit has no part.</source>
+        <translation>El eslabón %1 gira sobre un pasador del eslabón %2; el kit no tiene pieza para ello.</translation>
+    </message>
+    <message>
+        <source>The face of wheel %1 is %2 mm instead of %3 mm, so that it clears %4.</source>
+        <translation>La anchura de cara de la rueda %1 es %2 mm en vez de %3 mm, para que no toque %4.</translation>
+    </message>
+    <message>
+        <source>The ring %1 is joined to its link by more than a disc.</source>
+        <translation>La corona %1 está unida a su eslabón por más que un disco.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 is on no shaft of its link.</source>
+        <translation>La rueda %1 no está en ningún eje de su eslabón.</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>rueda</translation>
+    </message>
+    <message>
+        <source>ring gear</source>
+        <translation>corona</translation>
+    </message>
+    <message>
+        <source>arm or carrier plate</source>
+        <translation>brazo o placa del portador</translation>
+    </message>
+    <message>
+        <source>pedestal with a tenon</source>
+        <translation>soporte con espiga</translation>
+    </message>
+    <message>
+        <source>base plate</source>
+        <translation>placa base</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>puente</translation>
+    </message>
+    <message>
+        <source>post</source>
+        <translation>columna</translation>
+    </message>
+    <message>
+        <source>spacer</source>
+        <translation>separador</translation>
+    </message>
+    <message>
+        <source>clip, pressed on</source>
+        <translation>anillo de retención, a presión</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Tamaño, mm</translation>
+    </message>
+    <message>
+        <source>Engraved</source>
+        <translation>Grabado</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Placa</translation>
+    </message>
+    <message>
+        <source>All parts lie on a flat face and need no supports: nothing hangs over by more than %1 degrees from the upright.</source>
+        <translation>Todas las piezas se apoyan en una cara plana y no necesitan soportes: nada sobresale más de %1 grados respecto a la vertical.</translation>
+    </message>
+    <message>
+        <source>Supports are needed below the teeth of: %1.</source>
+        <translation>Hacen falta soportes bajo los dientes de: %1.</translation>
+    </message>
+    <message>
+        <source>Shafts and screws</source>
+        <translation>Ejes y tornillos</translation>
+    </message>
+    <message>
+        <source>Shafts are printed lying on their flat, which keys what is pressed on them. Round rods of the same diameter do as well, with a flat filed to the same depth.</source>
+        <translation>Los ejes se imprimen tumbados sobre su plano, que enclava lo que va a presión. También sirven varillas redondas del mismo diámetro con un plano limado a igual profundidad.</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Diámetro, mm</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Longitud, mm</translation>
+    </message>
+    <message>
+        <source>No screws are needed.</source>
+        <translation>No hacen falta tornillos.</translation>
+    </message>
+    <message>
+        <source>%1 countersunk screws M%2 × %3, which cut their thread in the part</source>
+        <translation>%1 tornillos avellanados M%2 × %3, que tallan su rosca en la pieza</translation>
+    </message>
+    <message>
+        <source>the space with %1 square(s) on %2</source>
+        <translation>el hueco con %1 cuadrado(s) en %2</translation>
+    </message>
+    <message>
+        <source>the tooth with %1 dot(s) on %2</source>
+        <translation>el diente con %1 punto(s) en %2</translation>
+    </message>
+    <message>
+        <source>the space after tooth %1 of %2 (no room for a mark)</source>
+        <translation>el hueco tras el diente %1 de %2 (sin sitio para una marca)</translation>
+    </message>
+    <message>
+        <source>tooth %1 of %2 (no room for a mark)</source>
+        <translation>el diente %1 de %2 (sin sitio para una marca)</translation>
+    </message>
+    <message>
+        <source>Teeth that meet</source>
+        <translation>Dientes que se encuentran</translation>
+    </message>
+    <message>
+        <source>Put the wheels together with each marked tooth in the marked space. All marks meet at once in the pose of assembly.3mf.</source>
+        <translation>Junte las ruedas con cada diente marcado en el hueco marcado. Todas las marcas coinciden a la vez en la posición de assembly.3mf.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2 goes into %3.</source>
+        <translation>Engrane %1: %2 entra en %3.</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>desde arriba</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>desde abajo</translation>
+    </message>
+    <message>
+        <source>along (%1, %2, %3)</source>
+        <translation>a lo largo de (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>Order of assembly</source>
+        <translation>Orden de montaje</translation>
+    </message>
+    <message>
+        <source>Each part comes to its place past all those before it, as assembly.3mf shows it. Turn wheels a little where teeth meet.</source>
+        <translation>Cada pieza llega a su sitio sin tocar las anteriores, como muestra assembly.3mf. Gire un poco las ruedas donde se encuentran dientes.</translation>
+    </message>
+    <message>
+        <source>no straight way was found free; bend or turn it in</source>
+        <translation>no se halló un camino recto libre; dóblela o gírela al entrar</translation>
+    </message>
+    <message>
+        <source>Plate %1</source>
+        <translation>Placa %1</translation>
+    </message>
+    <message>
+        <source>Print kit</source>
+        <translation>Kit de impresión</translation>
+    </message>
+    <message>
+        <source>Print kit: %1</source>
+        <translation>Kit de impresión: %1</translation>
+    </message>
+    <message>
+        <source>Play %1 mm on each flank, bores %2 mm wider than their shafts, first layers narrower by %3 mm, scale %4. Lengths are in mm.</source>
+        <translation>Juego de %1 mm en cada flanco, agujeros %2 mm más anchos que sus ejes, primeras capas %3 mm más estrechas, escala %4. Longitudes en mm.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; measures %2 mm by %3 mm and does not fit the plate; scale the kit down.</source>
+        <translation>&quot;%1&quot; mide %2 mm por %3 mm y no cabe en la placa; reduzca el kit.</translation>
+    </message>
+    <message>
+        <source>Printed, &quot;%1&quot; and &quot;%2&quot; would overlap.</source>
+        <translation>Impresos, &quot;%1&quot; y &quot;%2&quot; se solaparían.</translation>
+    </message>
+    <message>
+        <source>The ground has no bearing that a base could hold.</source>
+        <translation>El bastidor no tiene ningún cojinete que una base pueda sostener.</translation>
+    </message>
+    <message>
+        <source>Edges of &quot;%1&quot; cross each other at this size; try another scale.</source>
+        <translation>Los bordes de &quot;%1&quot; se cruzan a este tamaño; pruebe otra escala.</translation>
+    </message>
+    <message>
+        <source>the plate of the printer, mm (220x220)</source>
+        <translation>la placa de la impresora, mm (220x220)</translation>
+    </message>
+    <message>
+        <source>Plate of the printer</source>
+        <translation>Placa de la impresora</translation>
+    </message>
+    <message>
+        <source>play on either flank of a tooth, mm (0.15)</source>
+        <translation>juego en cada flanco de un diente, mm (0.15)</translation>
+    </message>
+    <message>
+        <source>Play of the teeth</source>
+        <translation>Juego de los dientes</translation>
+    </message>
+    <message>
+        <source>by which bores are wider than their shafts, mm (0.2)</source>
+        <translation>lo que los agujeros son más anchos que sus ejes, mm (0.2)</translation>
+    </message>
+    <message>
+        <source>Clearance of bores</source>
+        <translation>Holgura de los agujeros</translation>
+    </message>
+    <message>
+        <source>by which the lowest layers are narrower, against their spread, mm (0.4)</source>
+        <translation>lo que las capas más bajas son más estrechas, contra su ensanchamiento, mm (0.4)</translation>
+    </message>
+    <message>
+        <source>Chamfer of first layers</source>
+        <translation>Chaflán de las primeras capas</translation>
+    </message>
+    <message>
+        <source>by which all lengths are multiplied (1)</source>
+        <translation>por lo que se multiplican todas las longitudes (1)</translation>
+    </message>
+    <message>
+        <source>sign of a belt</source>
+        <translation>signo de una correa</translation>
+    </message>
+    <message>
+        <source>sign of pins in holes</source>
+        <translation>signo de pasadores en agujeros</translation>
+    </message>
+    <message>
+        <source>sign of gears on axes that cross</source>
+        <translation>signo de ruedas en ejes que se cruzan</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

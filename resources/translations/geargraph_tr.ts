@@ -19372,6 +19372,338 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>Export the table with drive, driven, what is engaged and steps to a CSV file</source>
         <translation>Tabloyu giriş, çıkış, devredeki elemanlar ve basamaklarla CSV dosyasına aktar</translation>
     </message>
+    <message>
+        <source>A part of the mechanism has no form that prints.</source>
+        <translation>Mekanizmanın bir parçasının basılabilir bir biçimi yok.</translation>
+    </message>
+    <message>
+        <source>Printed parts would overlap.</source>
+        <translation>Basılan parçalar çakışırdı.</translation>
+    </message>
+    <message>
+        <source>A part does not fit the plate.</source>
+        <translation>Bir parça tablaya sığmıyor.</translation>
+    </message>
+    <message>
+        <source>--bed is a width and a depth in mm from %1 to %2, like 220x220.</source>
+        <translation>--bed, mm olarak %1 ile %2 arasında bir genişlik ve derinliktir, örneğin 220x220.</translation>
+    </message>
+    <message>
+        <source>the print kit</source>
+        <translation>baskı seti</translation>
+    </message>
+    <message>
+        <source>--to kit writes a folder; &quot;-&quot; is none.</source>
+        <translation>--to kit bir klasör yazar; &quot;-&quot; klasör değildir.</translation>
+    </message>
+    <message>
+        <source>%1 parts on %2 plate(s).</source>
+        <translation>%2 tablada %1 parça.</translation>
+    </message>
+    <message>
+        <source>Print kit: parts for a 3D printer</source>
+        <translation>Baskı seti: 3B yazıcı için parçalar</translation>
+    </message>
+    <message>
+        <source>parts for a 3D printer, with their assembly</source>
+        <translation>montajıyla birlikte 3B yazıcı için parçalar</translation>
+    </message>
+    <message>
+        <source>Print kits</source>
+        <translation>Baskı setleri</translation>
+    </message>
+    <message>
+        <source>Axes of the ground have several directions; a base holds one.</source>
+        <translation>Gövdenin eksenleri birkaç yönde; bir taban tek yönü tutar.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 is fixed to the ground, for which the kit has no part.</source>
+        <translation>%1 çarkı gövdeye sabit; set bunun için parça içermez.</translation>
+    </message>
+    <message>
+        <source>The ring %1 is too near to the base.</source>
+        <translation>%1 iç dişlisi tabana çok yakın.</translation>
+    </message>
+    <message>
+        <source>There is no room for posts beside what turns.</source>
+        <translation>Dönenlerin yanında direkler için yer yok.</translation>
+    </message>
+    <message>
+        <source>Parts reach below the lowest bearing of the ground, so that no base fits there; move that joint along its axis.</source>
+        <translation>Parçalar gövdenin en alt yatağının altına iniyor, oraya taban sığmaz; o mafsalı ekseni boyunca kaydırın.</translation>
+    </message>
+    <message>
+        <source>A bearing of link %1 is too near to its arm for a printed pedestal.</source>
+        <translation>%1 uzvunun bir yatağı, basılı bir yatak ayağı için koluna çok yakın.</translation>
+    </message>
+    <message>
+        <source>An arm of link %1 is neither parallel nor at right angles to its bearing.</source>
+        <translation>%1 uzvunun bir kolu yatağına ne paralel ne de dik.</translation>
+    </message>
+    <message>
+        <source>There are no wheels to print.</source>
+        <translation>Basılacak çark yok.</translation>
+    </message>
+    <message>
+        <source>Belts are not printed.</source>
+        <translation>Kayışlar basılmaz.</translation>
+    </message>
+    <message>
+        <source>The train is too large for a kit.</source>
+        <translation>Dişli dizisi bir set için çok büyük.</translation>
+    </message>
+    <message>
+        <source>Links overlap in 3D, so their printed parts would too.</source>
+        <translation>Uzuvlar 3B&apos;de çakışıyor, basılan parçaları da çakışırdı.</translation>
+    </message>
+    <message>
+        <source>Several rings on one axis are joined by drums around each other, which the kit cannot divide.</source>
+        <translation>Bir eksendeki birkaç iç dişli, iç içe tamburlarla bağlı; set bunları bölemez.</translation>
+    </message>
+    <message>
+        <source>A link turns on a pin across the axis of another, for which the kit has no part.</source>
+        <translation>Bir uzuv, başka birinin eksenine dik bir pim üzerinde dönüyor; set bunun için parça içermez.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 has no teeth.</source>
+        <translation>%1 çarkının dişi yok.</translation>
+    </message>
+    <message>
+        <source>The bevel %1 has so flat or so steep a cone that it does not print on a face.</source>
+        <translation>%1 konik dişlisinin konisi o kadar yassı ya da dik ki bir yüzü üzerinde basılamaz.</translation>
+    </message>
+    <message>
+        <source>Link %1 turns on a pin of link %2, for which the kit has no part.</source>
+        <translation>%1 uzvu, %2 uzvunun bir pimi üzerinde dönüyor; set bunun için parça içermez.</translation>
+    </message>
+    <message>
+        <source>The face of wheel %1 is %2 mm instead of %3 mm, so that it clears %4.</source>
+        <translation>%1 çarkının diş genişliği %3 mm yerine %2 mm, böylece %4 çarkına değmez.</translation>
+    </message>
+    <message>
+        <source>The ring %1 is joined to its link by more than a disc.</source>
+        <translation>%1 iç dişlisi uzvuna bir diskten fazlasıyla bağlı.</translation>
+    </message>
+    <message>
+        <source>The wheel %1 is on no shaft of its link.</source>
+        <translation>%1 çarkı uzvunun hiçbir milinde değil.</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>çark</translation>
+    </message>
+    <message>
+        <source>ring gear</source>
+        <translation>iç dişli</translation>
+    </message>
+    <message>
+        <source>arm or carrier plate</source>
+        <translation>kol ya da taşıyıcı plakası</translation>
+    </message>
+    <message>
+        <source>pedestal with a tenon</source>
+        <translation>zıvanalı yatak ayağı</translation>
+    </message>
+    <message>
+        <source>base plate</source>
+        <translation>taban plakası</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>köprü</translation>
+    </message>
+    <message>
+        <source>post</source>
+        <translation>direk</translation>
+    </message>
+    <message>
+        <source>spacer</source>
+        <translation>ara halkası</translation>
+    </message>
+    <message>
+        <source>clip, pressed on</source>
+        <translation>klips, geçme</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ne olduğu</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Boyut, mm</translation>
+    </message>
+    <message>
+        <source>Engraved</source>
+        <translation>Kazınan</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>All parts lie on a flat face and need no supports: nothing hangs over by more than %1 degrees from the upright.</source>
+        <translation>Bütün parçalar düz bir yüz üzerinde durur, destek gerekmez: hiçbir yüz düşeyden %1 dereceden fazla sarkmaz.</translation>
+    </message>
+    <message>
+        <source>Supports are needed below the teeth of: %1.</source>
+        <translation>Şunların dişlerinin altına destek gerekir: %1.</translation>
+    </message>
+    <message>
+        <source>Shafts and screws</source>
+        <translation>Miller ve vidalar</translation>
+    </message>
+    <message>
+        <source>Shafts are printed lying on their flat, which keys what is pressed on them. Round rods of the same diameter do as well, with a flat filed to the same depth.</source>
+        <translation>Miller, üzerlerine geçenleri kilitleyen düz yüzleri üzerine yatık basılır. Aynı çaplı, aynı derinlikte düzlenmiş yuvarlak çubuklar da olur.</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Çap, mm</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Uzunluk, mm</translation>
+    </message>
+    <message>
+        <source>No screws are needed.</source>
+        <translation>Vida gerekmez.</translation>
+    </message>
+    <message>
+        <source>%1 countersunk screws M%2 × %3, which cut their thread in the part</source>
+        <translation>Parçada kendi dişini açan %1 havşa başlı vida M%2 × %3</translation>
+    </message>
+    <message>
+        <source>the space with %1 square(s) on %2</source>
+        <translation>%2 üzerinde %1 kareli boşluk</translation>
+    </message>
+    <message>
+        <source>the tooth with %1 dot(s) on %2</source>
+        <translation>%2 üzerinde %1 noktalı diş</translation>
+    </message>
+    <message>
+        <source>the space after tooth %1 of %2 (no room for a mark)</source>
+        <translation>%2 çarkında %1. dişten sonraki boşluk (işaret için yer yok)</translation>
+    </message>
+    <message>
+        <source>tooth %1 of %2 (no room for a mark)</source>
+        <translation>%2 çarkında %1. diş (işaret için yer yok)</translation>
+    </message>
+    <message>
+        <source>Teeth that meet</source>
+        <translation>Buluşan dişler</translation>
+    </message>
+    <message>
+        <source>Put the wheels together with each marked tooth in the marked space. All marks meet at once in the pose of assembly.3mf.</source>
+        <translation>Çarkları, işaretli her diş işaretli boşluğa gelecek biçimde birleştirin. Bütün işaretler assembly.3mf konumunda aynı anda buluşur.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2 goes into %3.</source>
+        <translation>Diş teması %1: %2, %3 içine girer.</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>yukarıdan</translation>
+    </message>
+    <message>
+        <source>from below</source>
+        <translation>aşağıdan</translation>
+    </message>
+    <message>
+        <source>along (%1, %2, %3)</source>
+        <translation>(%1, %2, %3) boyunca</translation>
+    </message>
+    <message>
+        <source>Order of assembly</source>
+        <translation>Montaj sırası</translation>
+    </message>
+    <message>
+        <source>Each part comes to its place past all those before it, as assembly.3mf shows it. Turn wheels a little where teeth meet.</source>
+        <translation>Her parça, öncekilerin yanından geçerek assembly.3mf dosyasındaki yerine gelir. Dişlerin buluştuğu yerde çarkları biraz çevirin.</translation>
+    </message>
+    <message>
+        <source>no straight way was found free; bend or turn it in</source>
+        <translation>düz ve boş bir yol bulunamadı; esnetin ya da çevirerek takın</translation>
+    </message>
+    <message>
+        <source>Plate %1</source>
+        <translation>Tabla %1</translation>
+    </message>
+    <message>
+        <source>Print kit</source>
+        <translation>Baskı seti</translation>
+    </message>
+    <message>
+        <source>Print kit: %1</source>
+        <translation>Baskı seti: %1</translation>
+    </message>
+    <message>
+        <source>Play %1 mm on each flank, bores %2 mm wider than their shafts, first layers narrower by %3 mm, scale %4. Lengths are in mm.</source>
+        <translation>Her yanakta %1 mm boşluk, delikler millerinden %2 mm geniş, ilk katmanlar %3 mm dar, ölçek %4. Uzunluklar mm&apos;dir.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; measures %2 mm by %3 mm and does not fit the plate; scale the kit down.</source>
+        <translation>&quot;%1&quot; %2 mm&apos;ye %3 mm ve tablaya sığmıyor; seti küçültün.</translation>
+    </message>
+    <message>
+        <source>Printed, &quot;%1&quot; and &quot;%2&quot; would overlap.</source>
+        <translation>Basılınca &quot;%1&quot; ile &quot;%2&quot; çakışırdı.</translation>
+    </message>
+    <message>
+        <source>The ground has no bearing that a base could hold.</source>
+        <translation>Gövdenin, bir tabanın tutabileceği yatağı yok.</translation>
+    </message>
+    <message>
+        <source>Edges of &quot;%1&quot; cross each other at this size; try another scale.</source>
+        <translation>&quot;%1&quot; parçasının kenarları bu boyutta kesişiyor; başka bir ölçek deneyin.</translation>
+    </message>
+    <message>
+        <source>the plate of the printer, mm (220x220)</source>
+        <translation>yazıcının tablası, mm (220x220)</translation>
+    </message>
+    <message>
+        <source>Plate of the printer</source>
+        <translation>Yazıcının tablası</translation>
+    </message>
+    <message>
+        <source>play on either flank of a tooth, mm (0.15)</source>
+        <translation>bir dişin her yanağındaki boşluk, mm (0.15)</translation>
+    </message>
+    <message>
+        <source>Play of the teeth</source>
+        <translation>Dişlerin boşluğu</translation>
+    </message>
+    <message>
+        <source>by which bores are wider than their shafts, mm (0.2)</source>
+        <translation>deliklerin millerinden ne kadar geniş olduğu, mm (0.2)</translation>
+    </message>
+    <message>
+        <source>Clearance of bores</source>
+        <translation>Deliklerin boşluğu</translation>
+    </message>
+    <message>
+        <source>by which the lowest layers are narrower, against their spread, mm (0.4)</source>
+        <translation>yayılmaya karşı en alt katmanların ne kadar dar olduğu, mm (0.4)</translation>
+    </message>
+    <message>
+        <source>Chamfer of first layers</source>
+        <translation>İlk katmanların pahı</translation>
+    </message>
+    <message>
+        <source>by which all lengths are multiplied (1)</source>
+        <translation>bütün uzunlukların çarpıldığı sayı (1)</translation>
+    </message>
+    <message>
+        <source>sign of a belt</source>
+        <translation>kayış işareti</translation>
+    </message>
+    <message>
+        <source>sign of pins in holes</source>
+        <translation>deliklerdeki pimlerin işareti</translation>
+    </message>
+    <message>
+        <source>sign of gears on axes that cross</source>
+        <translation>çapraz eksenlerdeki dişlilerin işareti</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

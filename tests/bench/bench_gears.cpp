@@ -1,6 +1,7 @@
 // Gears of 40 teeth a second on one core, at the export tolerance of 0.002 modules, nothing cached.
 //
 // accept  5,000 spur or ring gears and 2,000 bevel gears a second; aim three times that
+// accept  20 worms or worm wheels a second
 //
 // And what the teeth of the paper's robot have to say, its tooth counts times 1 to 2,500.
 //
@@ -11,6 +12,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/body_layout/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
+#include "core/machine/teeth/worm.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph {
@@ -27,8 +29,7 @@ GearSpec spec(GearKind kind, int teeth) {
   return gear;
 }
 
-void gearsASecond(benchmark::State& state, GearKind kind, double tolerance) {
-  const GearSpec gear = spec(kind, static_cast<int>(state.range(0)));
+void solidsOf(benchmark::State& state, const GearSpec& gear, double tolerance) {
   GEARGRAPH_REQUIRE(gearSolid(gear, tolerance).has_value());
   std::size_t triangles = 0;
   for (auto _ : state) {
@@ -38,6 +39,23 @@ void gearsASecond(benchmark::State& state, GearKind kind, double tolerance) {
   }
   state.SetItemsProcessed(state.iterations());
   state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+void gearsASecond(benchmark::State& state, GearKind kind, double tolerance) {
+  solidsOf(state, spec(kind, static_cast<int>(state.range(0))), tolerance);
+}
+
+/// A worm of these starts for a wheel of 40 teeth.
+void wormsASecond(benchmark::State& state) {
+  GearSpec wheel = wormWheelSpec(40, static_cast<int>(state.range(0)), 2, 10, 1, 0.35, 1);
+  wheel.faceWidth = usualWheelFace(wheel);
+  solidsOf(state, wormSpec(wheel.mateTeeth, 2, 10, 1, 0.35, usualWormLength(wheel)), kExportTolerance);
+}
+
+void wormWheelsASecond(benchmark::State& state) {
+  GearSpec wheel = wormWheelSpec(40, static_cast<int>(state.range(0)), 2, 10, 1, 0.35, 1);
+  wheel.faceWidth = usualWheelFace(wheel);
+  solidsOf(state, wheel, kExportTolerance);
 }
 
 void cachedGear(benchmark::State& state) {
@@ -62,6 +80,8 @@ BENCHMARK_CAPTURE(gearsASecond, ring, GearKind::internal, kExportTolerance)->Arg
 BENCHMARK_CAPTURE(gearsASecond, bevel, GearKind::bevel, kExportTolerance)->Arg(20)->Arg(40);
 BENCHMARK_CAPTURE(gearsASecond, spurOnScreen, GearKind::external, kScreenTolerance)->Arg(40);
 BENCHMARK_CAPTURE(gearsASecond, bevelOnScreen, GearKind::bevel, kScreenTolerance)->Arg(40);
+BENCHMARK(wormsASecond)->Arg(1)->Arg(4);
+BENCHMARK(wormWheelsASecond)->Arg(1)->Arg(4);
 BENCHMARK(cachedGear);
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kWormDegree = pi / 180;
 /// Backlash of a pair, in modules: half of it for each wheel.
-constexpr double kPlay = 0.04;
+constexpr double kWormPlay = 0.04;
 
 struct WormPair {
   GearSpec worm;
@@ -33,7 +33,7 @@ struct WormPair {
 WormPair wormPair(int starts, int teeth, double module, double diameter, int hand, double shift = 0) {
   WormPair pair{wormSpec(starts, module, diameter / 2, hand, 20 * kWormDegree, 1),
                 wormWheelSpec(teeth, starts, module, diameter / 2, hand, 20 * kWormDegree, 1)};
-  pair.worm.backlashAllowance = pair.wheel.backlashAllowance = kPlay / 2;
+  pair.worm.backlashAllowance = pair.wheel.backlashAllowance = kWormPlay / 2;
   pair.wheel.profileShift = shift;
   pair.wheel.faceWidth = usualWheelFace(pair.wheel);
   pair.worm.faceWidth = usualWormLength(pair.wheel);
@@ -220,7 +220,7 @@ class CrossedSection {
 GearSpec crossedWheel(int teeth, double degrees) {
   GearSpec spec = helical(standardGear(GearKind::external, teeth, 2, 20), degrees * kWormDegree);
   // Backlash across the teeth is that along the circle times the cosine.
-  spec.backlashAllowance = kPlay / 2;
+  spec.backlashAllowance = kWormPlay / 2;
   return spec;
 }
 
@@ -235,8 +235,8 @@ void compareWormToBars(const WormReport& r) {
   QVERIFY2(r.overlap <= 0.004, qPrintable(words));
   QVERIFY2(r.transmissionError <= 0.004, qPrintable(words));
   QVERIFY2(r.offCentre <= 0.005, qPrintable(words));
-  QVERIFY2(std::abs(r.leastPlay - kPlay) <= 0.01, qPrintable(words));
-  QVERIFY2(std::abs(r.mostPlay - kPlay) <= 0.01, qPrintable(words));
+  QVERIFY2(std::abs(r.leastPlay - kWormPlay) <= 0.01, qPrintable(words));
+  QVERIFY2(std::abs(r.mostPlay - kWormPlay) <= 0.01, qPrintable(words));
 }
 
 }  // namespace
@@ -289,7 +289,7 @@ class TestWormTeeth : public QObject {
     QVERIFY(WormSections(wrong).report(1).overlap > 0.1);
     WormPair other = wormPair(2, 30, 2, 20, 1);
     other.wheel.mateRadius *= 1.25;  // cut by a thicker worm
-    QVERIFY(std::abs(WormSections(other).report(1).leastPlay - kPlay) > 0.01);
+    QVERIFY(std::abs(WormSections(other).report(1).leastPlay - kWormPlay) > 0.01);
   }
 
   void crossedHelicalPairsMesh_data() {
@@ -318,7 +318,7 @@ class TestWormTeeth : public QObject {
     QVERIFY2(r.overlap <= 1e-4, qPrintable(words));
     QVERIFY2(r.transmissionError <= 1e-3, qPrintable(words));
     QVERIFY2(r.offCentre <= 1e-3, qPrintable(words));
-    QVERIFY2(std::abs(r.leastPlay - kPlay) <= 0.004, qPrintable(words));
+    QVERIFY2(std::abs(r.leastPlay - kWormPlay) <= 0.004, qPrintable(words));
     QVERIFY(measured.report(1, 0.05).overlap > 0.05);
   }
 
@@ -396,13 +396,13 @@ class TestWormTeeth : public QObject {
     for (const double height : {-0.6, 0.0, 0.8}) {
       // The thread is centred on +x where z is 0; half of it is pi m / 4 less the allowance at the pitch
       // radius.
-      const double half = 2 * (pi / 4 - kPlay / 4 - height * tangent);
+      const double half = 2 * (pi / 4 - kWormPlay / 4 - height * tangent);
       for (const double off : {-1e-3, 1e-3}) QCOMPARE(rack.contains({10 + 2 * height, half + off}), off < 0);
     }
     const test::Section wheel = test::Section::flat(gearSolid(pair.wheel, 1e-4).value(), 0);
     GearSpec plane = standardGear(GearKind::external, 30, 2, 1);
     plane.pressureAngle = std::atan(tangent);
-    plane.backlashAllowance = kPlay / 2;
+    plane.backlashAllowance = kWormPlay / 2;
     for (const ProfilePoint& p : externalTooth(plane, 0.01).points) {
       const double rad = 2 * p.rad;
       const double away = wheel.distance({rad * std::cos(p.gam), rad * std::sin(p.gam)});

@@ -7,7 +7,7 @@
 
 #include "ui/models/term_tips.h"
 #include "ui/theme/empty_label.h"
-#include "ui/theme/sideways_scroll.h"
+#include "ui/theme/flow_layout.h"
 
 namespace geargraph {
 namespace {
@@ -49,6 +49,7 @@ constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt
 EfficiencyPage::EfficiencyPage(QWidget* parent)
     : QWidget(parent),
       m_curves(new Curves(&follow, this)),
+      m_choices(new QWidget(this)),
       m_axis(new QComboBox(this)),
       m_quantity(new QComboBox(this)),
       m_pages(new QStackedWidget(this)),
@@ -66,9 +67,9 @@ EfficiencyPage::EfficiencyPage(QWidget* parent)
     m_wantedAxis = static_cast<CurveAxis>(m_axis->currentData().toInt());
     ask();
   });
-  auto* strip = new QWidget(this);
-  auto* bar = new QHBoxLayout(strip);
+  auto* bar = new FlowLayout(m_choices);
   bar->setContentsMargins(0, 0, 0, 0);
+  bar->setSpacing(6);
   bar->addWidget(m_quantity);
   bar->addWidget(new QLabel(tr("over"), this));
   bar->addWidget(m_axis);
@@ -81,13 +82,12 @@ EfficiencyPage::EfficiencyPage(QWidget* parent)
          "stated: all loads scaled alike leave the efficiency as it is, so there is no plot over the torque. "
          "Of several loads only the proportions matter."));
   bar->addWidget(remark);
-  bar->addStretch(1);
   m_pages->addWidget(m_plot);
   m_pages->addWidget(m_empty);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addWidget(new SidewaysScroll(strip, this));
+  layout->addWidget(m_choices);
   layout->addWidget(m_pages, 1);
   m_curves->onAnswer(this, [this](const FollowedEfficiencyPtr&) { showCurve(); });
   connect(m_curves, &Curves::failed, this, [this](const QString& why) {
@@ -122,8 +122,7 @@ void EfficiencyPage::updateAxes() {
 
 void EfficiencyPage::ask() {
   const bool canFollow = m_axis->count() > 0;
-  m_axis->setEnabled(canFollow);
-  m_quantity->setEnabled(canFollow);
+  m_choices->setVisible(canFollow);
   if (!canFollow) {
     m_curves->cancel();
     return leaveEmpty(tr("A plot needs loads that are held, one way to hold them, and a motion."));

@@ -60,6 +60,7 @@ class EfficiencyPage : public QWidget {
   ForcesPtr m_forces;
   std::optional<CurveAxis> m_wantedAxis;  ///< that was chosen
   Curves* m_curves;
+  QWidget* m_choices;  ///< what is plotted, and over what
   QComboBox* m_axis;
   QComboBox* m_quantity;
   QStackedWidget* m_pages;

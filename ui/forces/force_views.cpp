@@ -1,9 +1,8 @@
 #include "ui/forces/force_views.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <algorithm>
 
-#include "ui/forces/forces_panel.h"
 #include "ui/models/term_tips.h"
 
 namespace geargraph {
@@ -37,27 +36,27 @@ const ViewFacts& factsOf(ForceView view) {
 QString tipOfView(ForceView view) {
   switch (view) {
     case ForceView::needs:
-      return ForcesPanel::tr("Torque, rate and power where the train is driven, loaded and held");
+      return QObject::tr("Torque, rate and power where the train is driven, loaded and held");
     case ForceView::joints:
-      return ForcesPanel::tr("Torque, rate and power in every turning joint, and of what acts on links");
+      return QObject::tr("Torque, rate and power in every turning joint, and of what acts on links");
     case ForceView::couplings:
-      return ForcesPanel::tr("Torques of the brakes and clutches that are engaged");
+      return QObject::tr("Torques of the brakes and clutches that are engaged");
     case ForceView::states:
-      return ForcesPanel::tr("Torques of the couplings and efficiency in every state of the gearbox");
+      return QObject::tr("Torques of the couplings and efficiency in every state of the gearbox");
     case ForceView::powers:
-      return ForcesPanel::tr("What every element delivers to each of its links, seen from the ground");
+      return QObject::tr("What every element delivers to each of its links, seen from the ground");
     case ForceView::losses:
-      return ForcesPanel::tr("What every mesh passes, seen from its carrier, and what it loses of that");
+      return QObject::tr("What every mesh passes, seen from its carrier, and what it loses of that");
     case ForceView::circulations:
-      return ForcesPanel::tr("Power that goes round in loops, beside what goes through the train");
+      return QObject::tr("Power that goes round in loops, beside what goes through the train");
     case ForceView::efficiency:
-      return ForcesPanel::tr(
+      return QObject::tr(
           "Efficiency forward and backward, where the train locks itself, and both over the ratio of two "
           "speeds or over the efficiency of the meshes");
     case ForceView::meshes:
-      return ForcesPanel::tr("Torques on the gears of every mesh, and tooth forces");
+      return QObject::tr("Torques on the gears of every mesh, and tooth forces");
     case ForceView::bearings:
-      return ForcesPanel::tr("What holds each link in its turning joint: force and moment");
+      return QObject::tr("What holds each link in its turning joint: force and moment");
     case ForceView::why:
       return {};
   }
@@ -65,8 +64,8 @@ QString tipOfView(ForceView view) {
 }
 
 QString titleOf(const ViewFacts& facts) {
-  if (facts.view == ForceView::losses) return ForcesPanel::tr("Losses");
-  if (facts.view == ForceView::efficiency) return ForcesPanel::tr("Efficiency");
+  if (facts.view == ForceView::losses) return QObject::tr("Losses");
+  if (facts.view == ForceView::efficiency) return QObject::tr("Efficiency");
   return facts.kind ? shownText(forceTableTitle(*facts.kind)) : QString();
 }
 
@@ -80,14 +79,14 @@ QString nameOf(const ViewFacts& facts) {
 
 std::vector<QuestionEntry> questionEntries() {
   return {
-      {ForceQuestion::need, QStringLiteral("need"), ForcesPanel::tr("What do I need?"),
-       ForcesPanel::tr("The torques at motors, brakes and clutches, as engaged and in each state")},
-      {ForceQuestion::flow, QStringLiteral("flow"), ForcesPanel::tr("Where does it go?"),
-       ForcesPanel::tr("Power, losses, power that circulates, and efficiency forward and backward")},
-      {ForceQuestion::parts, QStringLiteral("parts"), ForcesPanel::tr("What do parts carry?"),
-       ForcesPanel::tr("The forces on teeth and bearings")},
-      {ForceQuestion::why, QStringLiteral("why"), ForcesPanel::tr("Why?"),
-       ForcesPanel::tr("The cutset whose torques balance, and the row of speeds with its column of torques")},
+      {ForceQuestion::need, QStringLiteral("need"), QObject::tr("What do I need?"),
+       QObject::tr("The torques at motors, brakes and clutches, as engaged and in each state")},
+      {ForceQuestion::flow, QStringLiteral("flow"), QObject::tr("Where does it go?"),
+       QObject::tr("Power, losses, power that circulates, and efficiency forward and backward")},
+      {ForceQuestion::parts, QStringLiteral("parts"), QObject::tr("What do parts carry?"),
+       QObject::tr("The forces on teeth and bearings")},
+      {ForceQuestion::why, QStringLiteral("why"), QObject::tr("Why?"),
+       QObject::tr("The cutset whose torques balance, and the row of speeds with its column of torques")},
   };
 }
 

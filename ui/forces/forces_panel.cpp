@@ -32,9 +32,9 @@
 namespace geargraph {
 namespace {
 
-constexpr int kLeastTable = 100;  ///< px of height
-constexpr int kLowPanel = 260;    ///< px of height
-constexpr int kLoadsPart = 3;     ///< loads take at most this part of the height
+constexpr int kLeastTable = 40;  ///< px of height: a low panel with large type has no more
+constexpr int kLowPanel = 260;   ///< px of height
+constexpr int kLoadsPart = 3;    ///< loads take at most this part of the height
 
 }  // namespace
 
@@ -58,7 +58,11 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   layout->addWidget(makeControls());
   layout->addWidget(m_loads);
   layout->addWidget(m_pages, 1);
-  layout->addWidget(makeFooter());
+  m_remark->setObjectName(QStringLiteral("forcesRemark"));
+  m_remark->setWordWrap(true);
+  m_remark->setTextFormat(Qt::PlainText);
+  m_remark->setContentsMargins(12, 0, 10, 2);
+  layout->addWidget(m_remark);
   m_table->setObjectName(QStringLiteral("forceTable"));
   m_table->setAccessibleName(tr("Forces"));
   auto* tablePage = new QWidget(this);
@@ -70,7 +74,7 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_efficiency);
   m_pages->addWidget(m_why);
-  m_pages->setMinimumHeight(scaledPixels(kLeastTable));
+  m_pages->setMinimumHeight(kLeastTable);
   connect(&m_efficiency->plots(), &EfficiencyPage::tableChanged, this, &ForcesPanel::showPage);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
@@ -91,6 +95,7 @@ void ForcesPanel::makeQuestions() {
   m_states = new QComboBox(this);
   m_states->setObjectName(QStringLiteral("forcesState"));
   m_states->setAccessibleName(tr("State"));
+  m_states->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   m_states->setToolTip(tr("The state whose brakes and clutches are engaged"));
   connect(m_states, &QComboBox::activated, this, [this](int at) { showState(at - 1); });
   m_copy =
@@ -126,18 +131,16 @@ QWidget* ForcesPanel::makeControls() {
   m_loads = new LoadsList(m_document, m_selection, *flow, row);
   m_totals = std::make_unique<TotalsStrip>(*flow, row);
   m_why = new WhyPage(m_selection, *flow, row);
+  makeShare(row);
+  flow->addWidget(m_share);
   return row;
 }
 
-/// What has to be known of the answer, and beside it what decides how loads are shared.
-QWidget* ForcesPanel::makeFooter() {
-  m_remark->setObjectName(QStringLiteral("forcesRemark"));
-  m_remark->setWordWrap(true);
-  m_remark->setTextFormat(Qt::PlainText);
+void ForcesPanel::makeShare(QWidget* parent) {
   m_share = controlButton(QStringLiteral("shareByStiffness"), tr("Share by stiffness"),
                           tr("Meshes that share a load in unknown parts: assume that all teeth are equally "
                              "stiff, without clearance, on rigid bodies"),
-                          this);
+                          parent);
   m_share->setCheckable(true);
   connect(m_share, &QToolButton::clicked, this, [this](bool isOn) {
     const auto sharing = isOn ? std::optional(LoadSharing::stiffness) : std::nullopt;
@@ -146,13 +149,6 @@ QWidget* ForcesPanel::makeFooter() {
          [sharing](const Mechanism& before) -> Expected<Mechanism> { return withSharing(before, sharing); },
          0});
   });
-  auto* footer = new QWidget(this);
-  auto* row = new QHBoxLayout(footer);
-  row->setContentsMargins(12, 0, 10, 2);
-  row->addWidget(m_remark, 1);
-  row->addStretch();  // where there is no remark
-  row->addWidget(m_share, 0, Qt::AlignVCenter);
-  return footer;
 }
 
 void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
@@ -347,14 +343,23 @@ void ForcesPanel::showShare() {
   const bool isAsked = m_document->mechanism()->sharing == LoadSharing::stiffness;
   const ForcesPtr& shown = forces();
   const StaticsReport* report = shown && shown->report ? &*shown->report : nullptr;
+  const ForceQuestion question = questionOf(m_view);
+  const bool isOfLoads = question == ForceQuestion::need || question == ForceQuestion::parts;
   m_share->setChecked(isAsked);
-  m_share->setVisible(report != nullptr && report->isSolved &&
+  m_share->setVisible(isOfLoads && report != nullptr && report->isSolved &&
                       (isAsked || report->lossless.indeterminate() > 0));
 }
 
-/// The gravest diagnostic; all of them are its tooltip.
+/// The gravest diagnostic; all of them are its tooltip. The table of states is under torques of its own.
 void ForcesPanel::showRemark() {
   const ForcesPtr& shown = forces();
+  if (m_view == ForceView::states && m_model->table() != nullptr) {
+    const QString note = shownText(m_model->table()->note);
+    m_remark->setVisible(!note.isEmpty());
+    m_remark->setText(note);
+    m_remark->setToolTip({});
+    return setInk(*m_remark, ColorRole::secondary);
+  }
   const Diagnostic* gravest = nullptr;
   QStringList all;
   if (shown && shown->report) {

@@ -82,7 +82,7 @@ class ForcesPanel : public QWidget, public ResultsView {
  private:
   void makeQuestions();
   QWidget* makeControls();
-  QWidget* makeFooter();
+  void makeShare(QWidget* parent);
   void askService();
   void updateStates(const Mechanism& mechanism);
   void present(ForceView view);

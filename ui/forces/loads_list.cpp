@@ -104,9 +104,6 @@ void LoadsList::makeControls(QLayout& controls, QWidget* parent) {
 
 void LoadsList::setShown(bool isShown) {
   m_isShown = isShown;
-  for (QWidget* control : {static_cast<QWidget*>(m_fold), static_cast<QWidget*>(m_add),
-                           static_cast<QWidget*>(m_balances), static_cast<QWidget*>(m_unit)})
-    control->setVisible(isShown);
   showFold();
 }
 
@@ -126,7 +123,10 @@ void LoadsList::showFold() {
   const QString title = count == 0 ? tr("Loads") : tr("Loads: %1").arg(count);
   m_fold->setText((m_isOpen ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) + title);
   m_fold->setAccessibleName(title);
-  setVisible(m_isShown && m_isOpen);
+  m_fold->setVisible(m_isShown);
+  for (QWidget* widget : {static_cast<QWidget*>(m_add), static_cast<QWidget*>(m_balances),
+                          static_cast<QWidget*>(m_unit), static_cast<QWidget*>(this)})
+    widget->setVisible(m_isShown && m_isOpen);
 }
 
 /// As high as its lines, but no higher than its room.

@@ -1,12 +1,12 @@
 #include "ui/forces/question_bar.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QEvent>
 #include <QToolButton>
-
-#include "ui/theme/theme_colors.h"
+#include <algorithm>
 
 namespace geargraph {
 
@@ -77,15 +77,20 @@ int QuestionBar::widthBeside(const QWidget& questions) const {
          m_controls->sizeHint().width() + margins.right();
 }
 
+/// That of the list, or of the controls below it.
 QSize QuestionBar::minimumSizeHint() const {
-  return {widthBeside(*m_list), m_layout->minimumSize().height()};
+  const QMargins margins = m_layout->contentsMargins();
+  const int wider = std::max(m_list->sizeHint().width(), m_controls->sizeHint().width());
+  return {margins.left() + wider + margins.right(), m_layout->minimumSize().height()};
 }
 
 void QuestionBar::fold() {
   const bool isNarrow = widthBeside(*m_row) > width();
+  const bool isBelow = widthBeside(*m_list) > width();
+  m_layout->setDirection(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   if (isNarrow == isFolded()) return;
-  const bool hadFocus = focusWidget() != nullptr && focusWidget()->hasFocus() &&
-                        (m_row->isAncestorOf(focusWidget()) || focusWidget() == m_list);
+  const QWidget* focus = QApplication::focusWidget();
+  const bool hadFocus = focus != nullptr && (m_row->isAncestorOf(focus) || focus == m_list);
   m_row->setVisible(!isNarrow);
   m_list->setVisible(isNarrow);
   if (hadFocus) (isNarrow ? static_cast<QWidget*>(m_list) : m_buttons->checkedButton())->setFocus();

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/teaching/force_tables/force_table.h"
-#include "ui/forces/forces_panel.h"
 #include "ui/models/printed_number.h"
 #include "ui/models/term_tips.h"
 
@@ -19,22 +18,19 @@ QString objectNameOf(const char* total) {
 }  // namespace
 
 TotalsStrip::TotalsStrip(QLayout& layout, QWidget* parent) {
-  add(layout, parent, "fed", ForcesPanel::tr("fed, W"),
-      ForcesPanel::tr("The power that loads and balances feed into the train."));
-  add(layout, parent, "taken", ForcesPanel::tr("taken, W"),
-      ForcesPanel::tr("The power that loads and balances take from the train."));
-  add(layout, parent, "lost", ForcesPanel::tr("lost, W"),
-      ForcesPanel::tr("What the meshes lose: fed less taken."));
-  add(layout, parent, "efficiency", ForcesPanel::tr("efficiency"),
-      ForcesPanel::tr("Power taken over power fed."));
-  add(layout, parent, "efficiencyBack", ForcesPanel::tr("backward"),
-      ForcesPanel::tr(
-          "The efficiency of the same motion with all known torques reversed: the output drives."));
-  add(layout, parent, "latent", ForcesPanel::tr("latent ratio"),
-      ForcesPanel::tr("What all meshes pass, seen from their carriers, over the power fed: the losses are "
-                      "about this many times those of one mesh."));
-  add(layout, parent, "circulating", ForcesPanel::tr("circulating, W"),
-      ForcesPanel::tr("The greatest power that goes round in a loop of shafts and gear sets."));
+  add(layout, parent, "fed", QObject::tr("fed, W"),
+      QObject::tr("The power that loads and balances feed into the train."));
+  add(layout, parent, "taken", QObject::tr("taken, W"),
+      QObject::tr("The power that loads and balances take from the train."));
+  add(layout, parent, "lost", QObject::tr("lost, W"), QObject::tr("What the meshes lose: fed less taken."));
+  add(layout, parent, "efficiency", QObject::tr("efficiency"), QObject::tr("Power taken over power fed."));
+  add(layout, parent, "efficiencyBack", QObject::tr("backward"),
+      QObject::tr("The efficiency of the same motion with all known torques reversed: the output drives."));
+  add(layout, parent, "latent", QObject::tr("latent ratio"),
+      QObject::tr("What all meshes pass, seen from their carriers, over the power fed: the losses are "
+                  "about this many times those of one mesh."));
+  add(layout, parent, "circulating", QObject::tr("circulating, W"),
+      QObject::tr("The greatest power that goes round in a loop of shafts and gear sets."));
 }
 
 void TotalsStrip::add(QLayout& layout, QWidget* parent, const char* name, const QString& title,
@@ -69,7 +65,7 @@ void TotalsStrip::set(const char* name, const QString& text, const QString& exac
   label->setText(withPrintedMinus(text));
   const QString meaning = label->whatsThis();
   label->setToolTip(exact.isEmpty() ? meaning
-                                    : meaning + QLatin1Char('\n') + ForcesPanel::tr("Exactly %1").arg(exact));
+                                    : meaning + QLatin1Char('\n') + QObject::tr("Exactly %1").arg(exact));
 }
 
 void TotalsStrip::setReal(const char* name, const Real& value) {
@@ -80,8 +76,7 @@ void TotalsStrip::setReal(const char* name, const Real& value) {
 void TotalsStrip::setEfficiency(const char* name, const std::optional<LossySolution>& solution,
                                 const std::optional<PowerSums>& sums) {
   if (!solution) return;
-  if (solution->outcome == LossySolution::Outcome::selfLocking)
-    return set(name, ForcesPanel::tr("locks itself"));
+  if (solution->outcome == LossySolution::Outcome::selfLocking) return set(name, QObject::tr("locks itself"));
   const bool isSolved = solution->outcome == LossySolution::Outcome::solved;
   if (const auto value = isSolved && sums ? sums->efficiency() : std::nullopt) setReal(name, *value);
 }
@@ -99,7 +94,7 @@ void TotalsStrip::show(const ForcesPtr& forces) {
   setReal("lost", report.sums->lost);
   if (report.latentRatio) setReal("latent", *report.latentRatio);
   if (!report.circulations) return;
-  if (report.circulations->empty()) return set("circulating", ForcesPanel::tr("none"));
+  if (report.circulations->empty()) return set("circulating", QObject::tr("none"));
   setReal("circulating", report.circulations->front().power);
 }
 

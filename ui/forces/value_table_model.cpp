@@ -56,6 +56,8 @@ QVariant ValueTableModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return column.isNumber ? withPrintedMinus(shownText(cell.text)) : shownText(cell.text);
+    case Qt::AccessibleTextRole:  // screen readers say nothing of an empty cell
+      return cell.text.empty() ? QVariant(tr("none")) : QVariant();
     case Qt::ToolTipRole:
       return shownText(column.meaning);
     case Qt::TextAlignmentRole:

@@ -200,8 +200,9 @@ void ExercisesDialog::showOffers(const std::vector<KindOffer>& offers) {
     const bool isOffered = offer.reason.empty();
     item->setText(isOffered ? shownText(kindTitle(offer.kind))
                             : tr("%1 (%2)").arg(shownText(kindTitle(offer.kind)), shownText(offer.reason)));
-    item->setToolTip(isOffered ? tr("On the command line: %1").arg(shownText(kindName(offer.kind)))
-                               : tr("The mechanism gives no such question: %1.").arg(shownText(offer.reason)));
+    item->setToolTip(isOffered
+                         ? tr("On the command line: %1").arg(shownText(kindName(offer.kind)))
+                         : tr("The mechanism gives no such question: %1.").arg(shownText(offer.reason)));
     item->setData(kKindRole, static_cast<int>(offer.kind));
     item->setFlags(isOffered ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable
                              : Qt::ItemFlags());

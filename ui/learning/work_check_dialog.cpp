@@ -94,9 +94,9 @@ WorkCheckDialog::WorkCheckDialog(Selection* selection, QWidget* parent)
   m_kind->setToolTip(tr("Which matrix it is; recognised by its name, size and entries"));
   m_kind->addItem(tr("Recognise the matrix"));
   for (const PaperMatrix kind : allPaperMatrices()) {
-    m_kind->addItem(
-        shownWords(translated(paperMatrixTitle(kind))) + QLatin1Char(' ') + shownWords(paperMatrixSymbol(kind)),
-        static_cast<int>(kind));
+    m_kind->addItem(shownWords(translated(paperMatrixTitle(kind))) + QLatin1Char(' ') +
+                        shownWords(paperMatrixSymbol(kind)),
+                    static_cast<int>(kind));
   }
   m_verdict->setObjectName(QStringLiteral("paperVerdict"));
   m_verdict->setProperty("look", "heading");

@@ -313,7 +313,9 @@ std::vector<Command> commandsOfMechanism() {
        .tip =
            words("A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist"),
        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+I"))},
-       .searchWords = "planetary epicyclic differential sun ring carrier reverted wizard template"},
+       .searchWords =
+           "planetary epicyclic differential sun ring carrier reverted worm belt harmonic strain wave "
+           "cycloidal wizard template"},
       {.id = CommandId::findTeeth,
        .name = "mechanism.findTeeth",
        .text = words("Teeth for ratios…"),

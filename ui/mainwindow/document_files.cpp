@@ -146,7 +146,6 @@ QStringList examplePaths() {
                            "eight-speed-gearbox",
                            "humpage-reduction",
                            "bevel-wrist",
-                           "scara-belts",
                            "three-roll-wrist",
                            "ferguson-paradox",
                            "redundant-planetary",

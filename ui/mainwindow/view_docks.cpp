@@ -51,9 +51,9 @@ void ViewDocks::makeAction(Panel& panel) {
   action->setCheckable(true);
   action->setProperty(kRevealsPanel, true);
   action->setProperty(kSearchWords, panel.entry.searchWords);
-  constexpr std::size_t kMaxKeys = 10;  // the tenth has 0
-  if (m_panels.size() <= kMaxKeys)
-    action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_panels.size() % kMaxKeys)));
+  constexpr std::size_t kMaxAltKeys = 10;  // the tenth has 0
+  if (m_panels.size() <= kMaxAltKeys)
+    action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_panels.size() % kMaxAltKeys)));
   connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
   connect(action, &QAction::triggered, dock, [dock](bool isWanted) {
     dock->setVisible(isWanted);

@@ -60,12 +60,15 @@ VibrationPanel::VibrationPanel(Selection* selection, QWidget* parent)
   layout->addWidget(new SidewaysScroll(makeChips(), this));
   m_fields = makeFields();
   layout->addWidget(new SidewaysScroll(m_fields, this));
-  layout->addWidget(m_pages, 1);
+  auto* middle = new QHBoxLayout;
+  middle->setContentsMargins(10, 0, 0, 0);
+  middle->addWidget(m_pages);
+  layout->addLayout(middle, 1);
   layout->addWidget(m_reference);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   m_service->onAnswer(this, [this](const VibrationPtr& answer) {
-    show(answer);
+    showAnswer(answer);
     if (m_service->isComplete()) emit settled();
   });
   connect(m_service, &VibrationService::failed, this, [this](const QString& why) {
@@ -143,6 +146,7 @@ QWidget* VibrationPanel::makeFields() {
     layout->addWidget(label);
     layout->addWidget(field);
     layout->addSpacing(6);
+    return label;
   };
   m_states = new QComboBox(bar);
   m_states->setObjectName(QStringLiteral("vibrationState"));
@@ -150,12 +154,14 @@ QWidget* VibrationPanel::makeFields() {
   connect(m_states, &QComboBox::activated, this, [this] {
     if (const VibrationPtr& answer = m_service->answer()) showCases(*answer);
   });
-  add(tr("State"), tr("The state whose couplings are engaged"), m_states);
+  m_states->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  m_stateName = add(tr("State"), tr("The state whose couplings are engaged"), m_states);
   m_rpm = new NumberField(bar);
   m_rpm->setObjectName(QStringLiteral("vibrationRpm"));
   m_rpm->setAccessibleName(tr("Speed of the input shaft, rpm"));
   m_rpm->setOptional(true);
   m_rpm->setEmptyText(tr("none"));
+  m_rpm->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("1000000.000")));
   connect(m_rpm, &NumberField::edited, this, [this](const std::optional<Number>& number) {
     if (number && (number->value() <= 0 || number->value() > kMaxRpm)) {
       m_rpm->reject(tr("A speed above 0, in turns a minute."));
@@ -185,7 +191,7 @@ void VibrationPanel::showView(VibrationView view) {
   if (isLostMotion(view) && (!answer || !answer->lostMotion)) {
     ask();
   } else if (answer) {
-    show(answer);
+    showAnswer(answer);
   }
 }
 
@@ -227,7 +233,7 @@ void VibrationPanel::showEmpty(const QString& why) {
   m_export->setEnabled(false);
 }
 
-void VibrationPanel::show(const VibrationPtr& answer) {
+void VibrationPanel::showAnswer(const VibrationPtr& answer) {
   if (!answer) return;
   const Mechanism& mechanism = *answer->snapshot->mechanism;
   const QSignalBlocker quiet(m_states);
@@ -238,7 +244,8 @@ void VibrationPanel::show(const VibrationPtr& answer) {
                                  : tr("as engaged"));
   }
   m_states->setCurrentIndex(std::max(0, m_states->findText(before)));
-  m_states->setEnabled(answer->cases.size() > 1);
+  for (QWidget* each : {static_cast<QWidget*>(m_stateName), static_cast<QWidget*>(m_states)})
+    each->setVisible(answer->cases.size() > 1);
   showCases(*answer);
 }
 
@@ -287,7 +294,7 @@ void VibrationPanel::showCases(const VibrationAnswer& answer) {
     m_pages->setCurrentWidget(view() == VibrationView::spectrum ? static_cast<QWidget*>(m_spectrum)
                                                                 : m_table);
   }
-  m_table->resizeColumnsToContents();
+  m_table->fitColumns([](int) { return true; });
   m_table->selectRowOfSelection();
   m_copy->setEnabled(true);
   m_export->setEnabled(true);

@@ -53,7 +53,7 @@ class VibrationPanel final : public QWidget, public ResultsView {
   [[nodiscard]] NumberField* wholeField(const char* name, const QString& title, int value, int least,
                                         int most);
   void ask();
-  void show(const VibrationPtr& answer);
+  void showAnswer(const VibrationPtr& answer);
   void showCases(const VibrationAnswer& answer);
   void showEmpty(const QString& why);
   [[nodiscard]] int chosenCase(const VibrationAnswer& answer) const;
@@ -66,6 +66,7 @@ class VibrationPanel final : public QWidget, public ResultsView {
   QToolButton* m_copy = nullptr;
   QToolButton* m_export = nullptr;
   QWidget* m_fields = nullptr;
+  QLabel* m_stateName = nullptr;
   QComboBox* m_states = nullptr;
   NumberField* m_rpm = nullptr;
   NumberField* m_harmonics = nullptr;

@@ -29,8 +29,9 @@ namespace {
 QString axesTip(MeshKind kind) {
   if (hasSkewAxes(kind)) {
     return pairKind(kind).isThreaded
-               ? QCoreApplication::translate("MeshForm", "Axes that cross at right angles without meeting. The gear with "
-                                                         "fewer teeth is the worm: they are its starts.")
+               ? QCoreApplication::translate("MeshForm",
+                                             "Axes that cross at right angles without meeting. The gear with "
+                                             "fewer teeth is the worm: they are its starts.")
                : QCoreApplication::translate("MeshForm", "Axes that cross without meeting.");
   }
   if (hasIntersectingAxes(kind)) return QCoreApplication::translate("MeshForm", "Axes that meet.");

@@ -189,8 +189,9 @@ void InsertSetDialog::renew() {
     text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());
   if (const auto ratio = ratioOfSet(*set)) {
     const auto name = [&](LinkOrdinal link) { return shownText(set->links[link].name); };
-    text += '\n' + tr("One turn of \"%1\" turns \"%2\" by %3.")
-                       .arg(name(ratio->input), name(ratio->output), shownText(ratio->speed.toString()));
+    const QString turns = shownText(ratio->speed.toString()).replace(QLatin1Char('-'), QChar(0x2212));
+    text += '\n' +
+            tr("One turn of \"%1\" turns \"%2\" by %3.").arg(name(ratio->input), name(ratio->output), turns);
   }
   m_summary->setText(text);
   m_preview->setMechanism(*set);

@@ -106,8 +106,9 @@ void MeshForm::connectHelix() {
   });
   connect(m_hand, &QComboBox::activated, this, [this](int index) {
     newGesture();
-    const auto hand = index <= 0 ? std::nullopt : std::optional(index == 1 ? Hand::right : Hand::left);
-    apply(tr("Change hand"), [hand](Mechanism before, const ElementId& id) {
+    apply(tr("Change hand"), [index](Mechanism before, const ElementId& id) {
+      std::optional<Hand> hand;
+      if (index > 0) hand = index == 1 ? Hand::right : Hand::left;
       return withHand(std::move(before), MeshId(id.id), hand);
     });
   });
@@ -134,8 +135,9 @@ void MeshForm::refreshHelix(const std::vector<const GearMesh*>& meshes) {
     return kindOf(mesh).touches && kindOf(mesh).axes != LinePosition::intersecting;
   });
   const bool isWorm = all([&](const GearMesh& mesh) { return kindOf(mesh).isThreaded; });
-  const bool isParallel = all([&](const GearMesh& mesh) { return kindOf(mesh).axes == LinePosition::parallel; });
-  setRowShown(m_helixRow, isHelical);
+  const bool isParallel =
+      all([&](const GearMesh& mesh) { return kindOf(mesh).axes == LinePosition::parallel; });
+  setRowShown(m_helixRow, isHelical, isWorm ? tr("Hand of the helix") : tr("Helix angle"));
   m_herringbone->setVisible(isParallel);
   m_helix->setVisible(!isWorm);
   m_crossed->setVisible(all([&](const GearMesh& mesh) { return kindOf(mesh).canCross; }));

@@ -67,9 +67,11 @@ void PropertyForm::addRow(const QString& name, Term term, QWidget* field) {
   m_rows->addRow(rowLabel, field);
 }
 
-void PropertyForm::setRowShown(QWidget* field, bool shown) {
+void PropertyForm::setRowShown(QWidget* field, bool shown, const QString& name) {
+  auto* rowLabel = static_cast<QLabel*>(m_rows->labelForField(field));
   field->setVisible(shown);
-  m_rows->labelForField(field)->setVisible(shown);
+  rowLabel->setVisible(shown);
+  rowLabel->setText(name);
 }
 
 /// A row of elements that belong to those of the form; they are highlighted under the mouse and selected by a

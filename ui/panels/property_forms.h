@@ -46,8 +46,8 @@ class PropertyForm : public QWidget {
   [[nodiscard]] QString label(const ElementId& element) const;
   void setTitle(const QString& title);
   void addRow(const QString& name, Term term, QWidget* field);
-  /// Shows or hides a row with its name.
-  void setRowShown(QWidget* field, bool shown);
+  /// Shows or hides a row, under this name.
+  void setRowShown(QWidget* field, bool shown, const QString& name);
   QLabel* addParts(const QString& name, Term term);
   /// Rich text with hyperlinks (addressOf()); empty: there are none.
   static void showParts(QLabel& parts, const QString& text);

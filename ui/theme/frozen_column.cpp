@@ -4,17 +4,41 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 
 namespace geargraph {
+namespace {
+
+/// Paints as the table's delegate does, which a view may not share: editors are those of the table alone.
+class PaintingDelegate final : public QStyledItemDelegate {
+ public:
+  PaintingDelegate(QAbstractItemDelegate* of, QObject* parent) : QStyledItemDelegate(parent), m_of(of) {}
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    m_of->paint(painter, option, index);
+  }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return m_of->sizeHint(option, index);
+  }
+  bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                 const QModelIndex& index) override {
+    return m_of->helpEvent(event, view, option, index);
+  }
+
+ private:
+  QAbstractItemDelegate* m_of;
+};
+
+}  // namespace
 
 FrozenColumn::FrozenColumn(QTableView* table, QHeaderView* heads) : QTableView(table), m_table(table) {
   if (heads != nullptr) setHorizontalHeader(heads);
   setModel(table->model());
-  setItemDelegate(table->itemDelegate());
+  setItemDelegate(new PaintingDelegate(table->itemDelegate(), this));
   setSelectionModel(table->selectionModel());
   setSelectionBehavior(table->selectionBehavior());
   setSelectionMode(table->selectionMode());
-  setEditTriggers(table->editTriggers());
+  setEditTriggers(NoEditTriggers);
   setShowGrid(table->showGrid());
   setWordWrap(table->wordWrap());
   setFocusPolicy(Qt::NoFocus);
@@ -24,7 +48,6 @@ FrozenColumn::FrozenColumn(QTableView* table, QHeaderView* heads) : QTableView(t
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(table->verticalScrollMode());
-  setAccessibleName(table->accessibleName());
   verticalHeader()->hide();
   horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setHighlightSections(false);
@@ -36,6 +59,13 @@ FrozenColumn::FrozenColumn(QTableView* table, QHeaderView* heads) : QTableView(t
 void FrozenColumn::follow() {
   connect(this, &QTableView::clicked, m_table, &QTableView::clicked);
   connect(this, &QTableView::entered, m_table, &QTableView::entered);
+  connect(this, &QTableView::doubleClicked, m_table, [this](const QModelIndex& index) {
+    const bool isEditable =
+        m_table->editTriggers().testFlag(DoubleClicked) && (index.flags() & Qt::ItemIsEditable) != 0;
+    if (!isEditable) return;
+    m_table->scrollTo(index);  // from beneath this column
+    m_table->edit(index);
+  });
   connect(this, &QWidget::customContextMenuRequested, m_table, &QWidget::customContextMenuRequested);
   connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(),
           &QScrollBar::setValue);
@@ -54,6 +84,7 @@ void FrozenColumn::follow() {
 void FrozenColumn::place() {
   const bool isNeeded = m_table->horizontalScrollBar()->value() > 0 && m_table->model()->columnCount() > 1;
   if (!isNeeded) return hide();
+  setAccessibleName(m_table->accessibleName());
   for (int column = 1; column < m_table->model()->columnCount(); ++column) setColumnHidden(column, true);
   const int width = m_table->columnWidth(0);
   setColumnHidden(0, false);

@@ -319,15 +319,16 @@ class GearMesh(_Labelled):
 
     @property
     def helix_angle(self) -> Optional[Fraction]:
-        """Of the teeth of the first gear at its reference cylinder; not of a bevel pair. The ratio
-        does not depend on it (degrees)."""
+        """Of the teeth of the first gear at its reference cylinder; not of a bevel pair or a worm.
+        The ratio does not depend on it (degrees)."""
         value = self._data.get("helixAngle")
         return None if value is None else exact(value)
 
     @property
     def hand(self) -> Any:
         """Of the helix of the first gear. That of the second follows: the opposite one of an
-        external pair, the same of an internal one."""
+        external pair, the same of an internal one and of a worm, and of ``crossedHelical`` that
+        which the crossing angle leaves."""
         value = self._data.get("hand")
         return None if value is None else value
 
@@ -341,7 +342,7 @@ class GearMesh(_Labelled):
     @property
     def module(self) -> Optional[Fraction]:
         """The normal module; with the centre distance it fixes the sum of the profile shifts. Of a
-        bevel pair without ``pitchPoint``: at the large end."""
+        bevel pair without ``pitchPoint``: at the large end; of a worm: in its axial section."""
         value = self._data.get("module")
         return None if value is None else exact(value)
 

@@ -93,7 +93,9 @@ double refineK(const StateRatios& ratios, std::span<const std::array<ElementLink
   std::array<double, kMaxRefinedGears> values{};
   std::array<double, kMaxRefinedGears> residuals{};
   std::array<std::array<double, kMaxSets>, kMaxRefinedGears> gradients{};
-  const auto part = [count](std::array<double, kMaxRefinedGears>& all) { return std::span(all).first(count); };
+  const auto part = [count](std::array<double, kMaxRefinedGears>& all) {
+    return std::span(all).first(count);
+  };
   if (!ratios.at(k, states, part(values)) || !residualsOf(part(values), logs, negative, part(residuals)))
     return kNone;
   double squares = squaresOf(part(residuals));

@@ -117,7 +117,10 @@ Expected<Mechanism> rvReducer(int sunTeeth, int planetTeeth, int pins) {
 std::optional<SetRatio> ratioOfSet(const Mechanism& set) {
   if (!set.inputs || set.inputs->size() != 1) return std::nullopt;
   const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(set));
-  if (!snapshot->solved || !snapshot->solved->exact) return std::nullopt;
+  const MatroidAnalysis* matroid = snapshot->matroid();
+  if (matroid == nullptr || !matroid->solution || hasErrors(snapshot->diagnostics)) return std::nullopt;
+  const SolvedKinematicsPtr solved = solvedKinematics(set, *snapshot->kinematics, {.symbolic = false});
+  if (!solved->exact) return std::nullopt;
   SetRatio ratio;
   const auto linkOf = [&](LinkId id) {
     const auto found =
@@ -128,7 +131,7 @@ std::optional<SetRatio> ratioOfSet(const Mechanism& set) {
   for (JointOrdinal joint = 0; joint < set.t(); ++joint) {
     const TurningJoint& drawn = set.turningJoints[joint];
     if (drawn.tail != set.links.front().id) continue;
-    const Rational speed = snapshot->solved->exact->rates[joint];
+    const Rational speed = solved->exact->rates[joint];
     if (drawn.id == set.inputs->front().joint) {
       ratio.input = linkOf(drawn.head);
       inputSpeed = speed;

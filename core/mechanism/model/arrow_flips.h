@@ -13,8 +13,8 @@ inline void flip(TurningJoint& joint) {
   joint.limits = opposite(joint.limits);
 }
 /// Exchanges tail and head with their teeth and wheels. The helix, which is that of the tail's gear, becomes
-/// that of the other one: of the opposite hand, if the pair is not (said to be) an internal one; of axes that cross
-/// (at right angles) the rest to 90 degrees, of the same hand.
+/// that of the other one: of the opposite hand, if the pair is not (said to be) an internal one; of axes that
+/// cross (at right angles) the rest to 90 degrees, of the same hand.
 inline void flip(GearMesh& mesh) {
   std::swap(mesh.tail, mesh.head);
   std::swap(mesh.tailTeeth, mesh.headTeeth);

@@ -360,7 +360,8 @@ Expected<Mechanism> withHelixAngle(Mechanism mechanism, MeshId mesh, std::option
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
   if (found == nullptr) return unknown(mesh);
   if (degrees && (degrees->exact().sign() < 0 || degrees->exact() >= Rational(90))) {
-    return rejection(Code::schema, translated("The helix angle of a gear mesh is at least 0 and below 90 degrees."),
+    return rejection(Code::schema,
+                     translated("The helix angle of a gear mesh is at least 0 and below 90 degrees."),
                      {mesh});
   }
   found->helixAngle = degrees && degrees->isZero() ? std::nullopt : std::move(degrees);

@@ -56,9 +56,10 @@ namespace geargraph {
 [[nodiscard]] Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh,
                                                std::optional<MeshKind> kind);
 
-/// The helix of a mesh's teeth, of the tail's gear: degrees from 0 on below 90, none: straight teeth (or what the kind
-/// makes of it). Rejected: other angles.
-[[nodiscard]] Expected<Mechanism> withHelixAngle(Mechanism mechanism, MeshId mesh, std::optional<Number> degrees);
+/// The helix of a mesh's teeth, of the tail's gear: degrees from 0 on below 90, none: straight teeth (or what
+/// the kind makes of it). Rejected: other angles.
+[[nodiscard]] Expected<Mechanism> withHelixAngle(Mechanism mechanism, MeshId mesh,
+                                                 std::optional<Number> degrees);
 [[nodiscard]] Expected<Mechanism> withHand(Mechanism mechanism, MeshId mesh, std::optional<Hand> hand);
 [[nodiscard]] Expected<Mechanism> withHerringbone(Mechanism mechanism, MeshId mesh, bool herringbone);
 /// Lets the strands of a belt cross, or no longer. @pre its kind can

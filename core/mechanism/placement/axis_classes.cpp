@@ -245,7 +245,7 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisG
 }  // namespace
 
 AxisGroups::AxisGroups(const Mechanism& mechanism, const JointTree& tree, const ByAxis<AxisLine>& lines,
-                         Diagnostics& diagnostics) {
+                       Diagnostics& diagnostics) {
   const bool isSplit = ClassFinder(mechanism, tree, lines).run(*this, diagnostics);
   if (isSplit) reportSplits(mechanism, tree, *this, diagnostics);
 }

@@ -33,7 +33,7 @@ struct AxisGroups {
   /// `split-axis`. `lines`: givenLines() of the mechanism. Cost: O(n), more for joints that share a link and
   /// a line.
   AxisGroups(const Mechanism& mechanism, const JointTree& tree, const ByAxis<AxisLine>& lines,
-              Diagnostics& diagnostics);
+             Diagnostics& diagnostics);
   /// No classes, for a mechanism without a tree.
   AxisGroups() = default;
 

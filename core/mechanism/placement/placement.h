@@ -12,7 +12,7 @@ namespace geargraph {
 /// point and the sign and radii that follow. What the document leaves open is chosen here, so that a digraph
 /// with tooth counts is enough for an analysis and a 3D view.
 struct Placement {
-  std::optional<JointTree> tree;       ///< none if the turning joints are no spanning tree: no meshes then
+  std::optional<JointTree> tree;      ///< none if the turning joints are no spanning tree: no meshes then
   std::optional<AxisGroups> classes;  ///< with the tree
   ByAxis<AxisLine> axes;
   std::vector<ExactLine> chosen;               ///< of the automatic axes, in fractions

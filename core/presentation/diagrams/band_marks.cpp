@@ -246,14 +246,13 @@ void BandPainter::drawLegend() {
                   any([](const Band& b) { return b.isAssumed; }));
   std::reverse(lines.begin(), lines.end());
   for (const LegendLine& each : lines) {
-    using Mark = LegendLine::Mark;
     const Polyline mark{{{left, line}, {left + 26, line}}, false};
-    if (each.mark == Mark::none) {
+    if (each.mark == LegendLine::Mark::none) {
       write(each.plain, left, false, ColorRole::secondary);
-    } else if (each.mark == Mark::unknown) {
+    } else if (each.mark == LegendLine::Mark::unknown) {
       put({}, Stroke{mark, ColorRole::secondary, kHairline, Dash::dashed});
       write(each.plain, left + 34, false, ColorRole::secondary);
-    } else if (each.mark == Mark::circulating) {
+    } else if (each.mark == LegendLine::Mark::circulating) {
       put({}, Stroke{mark, Tint(ColorRole::accent).softened(), 8, Dash::solid});
       const double next = write(each.bold, left + 34, true, ColorRole::accent);
       write(each.plain, next + 5, false, ColorRole::ink);

@@ -254,8 +254,9 @@ class LeverDrawer {
       m_painter.arrow(elementOf(*spot.point), pushes ? outer : inner, pushes ? inner : outer, ColorRole::ink,
                       1.8);
       if (!m_look.numbers) continue;
-      m_painter.text(elementOf(*spot.point), {near - size / 2, y + 3}, {LetterSide::below, LetterSide::above, LetterSide::left},
-                     threeDecimals(torque), kValueSize, false, ColorRole::secondary);
+      m_painter.text(elementOf(*spot.point), {near - size / 2, y + 3},
+                     {LetterSide::below, LetterSide::above, LetterSide::left}, threeDecimals(torque),
+                     kValueSize, false, ColorRole::secondary);
     }
   }
 
@@ -271,8 +272,8 @@ class LeverDrawer {
       if (spot.center.x != spot.at.x) {  // beside its disc, where it is clear whose speed it is
         m_painter.text(elementOf(*spot.point),
                        {spot.center.x - LeverPainter::halfWidthOf(spot.point->links), spot.center.y},
-                       {LetterSide::left, LetterSide::below, LetterSide::above}, threeDecimals(*speed), kValueSize, true,
-                       ColorRole::ink);
+                       {LetterSide::left, LetterSide::below, LetterSide::above}, threeDecimals(*speed),
+                       kValueSize, true, ColorRole::ink);
         continue;
       }
       const bool isNegative = speed->sign() < 0;
@@ -312,8 +313,8 @@ class LeverDrawer {
       const Lever& lever = leverOf(bar);
       const std::string sets = setsOf(lever);
       if (!sets.empty()) m_painter.fixedText({}, {xOf(bar), y}, sets, kValueSize, true, ColorRole::ink);
-      m_painter.text({}, {xOf(bar), y + 8}, {LetterSide::below}, teethOf(m_picture.plan, lever), kSmallSize, false,
-                     ColorRole::secondary);
+      m_painter.text({}, {xOf(bar), y + 8}, {LetterSide::below}, teethOf(m_picture.plan, lever), kSmallSize,
+                     false, ColorRole::secondary);
       const bool isWhole = std::all_of(lever.points.begin(), lever.points.end(),
                                        [](const LeverPoint& point) { return point.isByMeshes; });
       if (!isWhole)

@@ -160,8 +160,8 @@ void LeverPainter::fixedText(const ElementId& element, CanvasPoint center, const
   block({center, textWidth(words, size, bold) / 2, 0.62 * size});
 }
 
-void LeverPainter::pill(const ElementId& element, CanvasPoint anchor, LetterSide side, const std::string& word,
-                        bool isInput) {
+void LeverPainter::pill(const ElementId& element, CanvasPoint anchor, LetterSide side,
+                        const std::string& word, bool isInput) {
   constexpr double kHalfHeight = 9;
   const Extent place =
       freePlace(anchor, {side, LetterSide::below}, textWidth(word, kSmallSize, false) / 2 + 8, kHalfHeight);

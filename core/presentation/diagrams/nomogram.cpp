@@ -291,7 +291,8 @@ class NomogramDrawer {
     for (const StateLine& line : m_lines) {
       if (!m_current || *m_current != line.state || !isKnownOn(line, lever)) continue;
       for (std::size_t i = 0; i < panel.axes.size(); ++i)
-        m_painter.text({}, {panel.axes[i] - 8, yOn(line, panel, i)}, {LetterSide::left, LetterSide::above, LetterSide::below},
+        m_painter.text({}, {panel.axes[i] - 8, yOn(line, panel, i)},
+                       {LetterSide::left, LetterSide::above, LetterSide::below},
                        threeDecimals(speedOf(line, lever.points[i].links.front())), kValueSize, true,
                        ColorRole::accent);
     }
@@ -313,7 +314,8 @@ class NomogramDrawer {
                      false, ColorRole::ink);
     }
     const double middle = (panel.axes.front() + panel.axes.back()) / 2;
-    m_painter.text({}, {middle, foot + 22}, {LetterSide::below}, setsOf(lever), kValueSize, true, ColorRole::ink);
+    m_painter.text({}, {middle, foot + 22}, {LetterSide::below}, setsOf(lever), kValueSize, true,
+                   ColorRole::ink);
     m_painter.text({}, {middle, foot + 38}, {LetterSide::below}, teethOf(m_plan, lever), kSmallSize, false,
                    ColorRole::secondary);
   }

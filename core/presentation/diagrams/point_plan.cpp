@@ -55,8 +55,8 @@ class PointPlanDrawer {
     drawCouplings();
     for (const Lever& lever : m_plan.levers) {
       const CanvasPoint end = endOf(lever);
-      m_painter.text({}, end, {LetterSide::right, LetterSide::below, LetterSide::above, LetterSide::left}, setsOf(lever), kValueSize,
-                     true, ColorRole::ink);
+      m_painter.text({}, end, {LetterSide::right, LetterSide::below, LetterSide::above, LetterSide::left},
+                     setsOf(lever), kValueSize, true, ColorRole::ink);
     }
   }
 

@@ -47,21 +47,22 @@ std::string shareText(const PowerPicture& picture, double power) {
 
 std::vector<LegendLine> powerLegend(const PowerPicture& picture, double largest, bool hasUnknown,
                                     bool hasAssumed) {
-  using Mark = LegendLine::Mark;
   std::vector<LegendLine> lines;
-  lines.push_back({Mark::widest, powerText(largest),
+  lines.push_back({LegendLine::Mark::widest, powerText(largest),
                    picture.observer == 0
                        ? translated("seen from the ground")
                        : translated("seen from link %1", {std::to_string(picture.observer)})});
   for (std::size_t i = 0; i < std::min(picture.loops.size(), kMaxLoopsNamed); ++i) {
     const DrawnLoop& loop = picture.loops[i];
     lines.push_back(
-        {Mark::circulating, powerText(loop.power),
+        {LegendLine::Mark::circulating, powerText(loop.power),
          translated("circulates: links %1, meshes %2", {labels(loop.links), labels(loop.meshes)})});
   }
   if (hasUnknown)
-    lines.push_back({Mark::unknown, {}, translated("? W: shared in unknown parts, not determined")});
-  if (hasAssumed) lines.push_back({Mark::none, {}, translated("* shared by equal stiffness: an assumption")});
+    lines.push_back(
+        {LegendLine::Mark::unknown, {}, translated("? W: shared in unknown parts, not determined")});
+  if (hasAssumed)
+    lines.push_back({LegendLine::Mark::none, {}, translated("* shared by equal stiffness: an assumption")});
   return lines;
 }
 

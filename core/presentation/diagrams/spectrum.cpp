@@ -17,7 +17,7 @@ constexpr double kDecade = 150;
 constexpr double kLongestAxis = 1200;  ///< with more decades each has less room
 constexpr double kSpectrumTextSize = 11;
 constexpr double kTick = 5;
-constexpr double kRow = 14;      ///< between two rows of labels
+constexpr double kRow = 14;              ///< between two rows of labels
 constexpr double kSpectrumLabelGap = 6;  ///< between two labels of a row
 constexpr double kLegendLine = 22;
 constexpr double kLegendGap = 22;
@@ -151,8 +151,8 @@ class SpectrumMaker {
           Fill{Box{{{at, y}, half + 1, kSpectrumTextSize / 2 + 1}, 0}, Tint(ColorRole::sheet)});
       addText(shown, {at, y}, style.role == ColorRole::secondary ? ColorRole::secondary : ColorRole::ink);
       add({}, MarkRole::line, 0,
-          Stroke{Polyline{{{at, -style.height}, {at, y + kSpectrumTextSize / 2}}, false}, ColorRole::hairline, 1,
-                 Dash::solid});
+          Stroke{Polyline{{{at, -style.height}, {at, y + kSpectrumTextSize / 2}}, false}, ColorRole::hairline,
+                 1, Dash::solid});
     }
     if (!ends.empty()) {
       addText(translated(style.name),
@@ -196,8 +196,8 @@ DisplayList spectrumDrawing(const Mechanism& mechanism, const std::vector<Freque
   });
   if (!drawn.empty()) return SpectrumMaker(mechanism, drawn).make(xTitle);
   DisplayList empty;
-  empty.marks.push_back(
-      {ElementId(), MarkRole::label, 0, Text{without, {0, 0}, kSpectrumTextSize, false, ColorRole::secondary}});
+  empty.marks.push_back({ElementId(), MarkRole::label, 0,
+                         Text{without, {0, 0}, kSpectrumTextSize, false, ColorRole::secondary}});
   return empty;
 }
 

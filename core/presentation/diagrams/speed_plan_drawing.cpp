@@ -17,8 +17,8 @@ namespace {
 constexpr double kVelocityReach = 240;  ///< px of the greatest velocity
 constexpr double kSectionGap = 70;      ///< from the section to the plan
 constexpr double kSheetWithoutSection = 260;
-constexpr double kLineBeyond = 16;  ///< px that a line goes on beyond its last point
-constexpr double kPlanLabelGap = 30;    ///< between the discs at the ends of lines
+constexpr double kLineBeyond = 16;    ///< px that a line goes on beyond its last point
+constexpr double kPlanLabelGap = 30;  ///< between the discs at the ends of lines
 
 class SpeedPlanDrawer {
  public:

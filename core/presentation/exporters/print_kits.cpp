@@ -9,6 +9,7 @@
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/exporters/number_options.h"
 #include "core/presentation/print_kit/kit_page.h"
+#include "core/presentation/print_kit/kit_poses.h"
 #include "core/presentation/print_kit/print_kit.h"
 
 namespace geargraph {
@@ -100,7 +101,8 @@ ExportResult writeKit(ExportContext& context, const OptionValues& given, const E
   const auto arrangement = geometry.arrangement(stop);
   if (!arrangement) return outOfTime(translated("the gear train"));
   const double unit = 1000 * metresPerUnit(train.mechanism().unit);
-  auto made = printKit(train.mechanism(), geometry.placement(), train.train, *arrangement, unit,
+  const std::vector<KitPose> poses = kitPoses(train.mechanism(), train.placed().kinematics, train.motions);
+  auto made = printKit(train.mechanism(), geometry.placement(), train.train, *arrangement, unit, poses,
                        std::get<KitOptions>(options), stop);
   if (const auto* why = std::get_if<KitFailure>(&made)) return kitErrorOf(context, *why);
   const auto& kit = std::get<PrintKit>(made);

@@ -156,7 +156,7 @@ KitPart& KitBuilder::add(KitPartKind kind, LinkOrdinal link, const std::string& 
   KitPart part;
   part.kind = kind;
   part.link = link;
-  part.name = label(link) + ' ' + what;
+  part.name = label(link) + '-' + what;
   part.solid = std::make_shared<const Solid>(std::move(solid));
   part.pose = pose;
   parts.push_back(std::move(part));

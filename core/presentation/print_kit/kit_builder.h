@@ -47,7 +47,8 @@ struct KitBuilder {
   KitBuilder(const Mechanism& aMechanism, const Placement& aPlacement, const GearTrain& aTrain,
              const Arrangement& anArrangement, double factor, const KitOptions& someOptions);
 
-  std::stop_token stop = {};  ///< what follows ends soon after it is requested
+  std::vector<KitPose> poses = {};  ///< in mm, in which parts stay clear of each other
+  std::stop_token stop = {};        ///< what follows ends soon after it is requested
 
   // What parts are made from.
   const Mechanism& mechanism;

@@ -24,6 +24,7 @@ constexpr double kWay = 1.0;  // mm between two looks at a part on its way
 struct KitAssembly::Shape {
   Model model;
   Eigen::AlignedBox3d box;
+  double radius = 0;  ///< of the ball about the middle of the box
 };
 
 KitAssembly::KitAssembly() = default;
@@ -34,6 +35,7 @@ void KitAssembly::add(const KitPart& part) {
   std::vector<Vector3d> points;
   for (const Float3& p : part.solid->positions) points.push_back(part.pose * Vector3d(p[0], p[1], p[2]));
   for (const Vector3d& p : points) shape->box.extend(p);
+  for (const Vector3d& p : points) shape->radius = std::max(shape->radius, (p - shape->box.center()).norm());
   std::vector<fcl::Triangle> triangles;
   for (const Triangle& t : part.solid->triangles) triangles.emplace_back(t[0], t[1], t[2]);
   shape->model.beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
@@ -52,6 +54,9 @@ std::size_t KitAssembly::size() const {
 
 bool KitAssembly::overlaps(std::size_t a, std::size_t b, const Isometry3d& moved,
                            const Isometry3d& movedB) const {
+  const Shape &one = *m_shapes[a], &other = *m_shapes[b];
+  if ((moved * one.box.center() - movedB * other.box.center()).norm() > one.radius + other.radius)
+    return false;
   const fcl::CollisionRequestd request(1, false);
   fcl::CollisionResultd result;
   fcl::detail::MeshCollisionTraversalNodeOBBRSSd node;

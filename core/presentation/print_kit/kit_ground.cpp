@@ -367,7 +367,7 @@ class GroundMaker {
   /// A bridge: printed as it lies, screwed down onto its posts.
   void addPlate(const std::vector<GroundBearing>& bearings, const std::vector<Vector2d>& posts, double low,
                 double high) {
-    std::vector<Disc> discs;
+    std::vector<KitDisc> discs;
     PlateShape shape;
     for (const GroundBearing& bearing : bearings) {
       discs.push_back({m_frame.place(m_kit.plan.axes[bearing.axisGroup].point), bossAt(bearing)});
@@ -420,7 +420,7 @@ class GroundMaker {
             translated("Parts reach below the lowest bearing of the ground, so that no base fits "
                        "there; move that joint along its axis."));
     }
-    std::vector<Disc> discs;
+    std::vector<KitDisc> discs;
     PlateShape shape;
     for (const GroundBearing& bearing : m_base) {
       const Vector2d centre = m_frame.place(m_kit.plan.axes[bearing.axisGroup].point);

@@ -10,8 +10,9 @@
 #include "core/foundations/base/translation.h"
 #include "core/machine/body_layout/body_shapes.h"
 #include "core/machine/solids/gear_body.h"
-#include "core/machine/solids/gear_solid.h"
 #include "core/machine/solids/part_solids.h"
+#include "core/machine/solids/spec_diagnostics.h"
+#include "core/machine/solids/toothless_gear.h"
 #include "core/machine/teeth/phase.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/presentation/print_kit/kit_builder.h"
@@ -110,7 +111,7 @@ std::optional<KitFailure> addPlate(KitBuilder& kit, const ArmPlate& plate) {
   const Isometry3d middle = frameAlong(axis.at(plate.level), axis.direction, Vector3d::UnitX());
   Isometry3d pose = middle;
   pose.translate(Vector3d(0, 0, -thickness / 2));
-  std::vector<Disc> discs{{{0, 0}, kit.bossRadiusAt(plate.link, plate.axisGroup, plate.level)}};
+  std::vector<KitDisc> discs{{{0, 0}, kit.bossRadiusAt(plate.link, plate.axisGroup, plate.level)}};
   PlateShape shape;
   const auto pierce = [&](const Outline& hole) {
     if (!hole.empty())
@@ -298,10 +299,9 @@ void narrowBevels(KitBuilder& kit) {
     for (const GearOrdinal g : {a, b}) {
       GearSpec spec = kit.train.gears[g].spec;
       spec.bore = 0;
-      const Expected<Solid> solid = gearSolid(spec, kCoarse);
-      if (!solid) return false;  // reported where it is made
-      KitPart part;
-      part.solid = std::make_shared<const Solid>(*solid);
+      if (!specDiagnostics(spec).empty()) return false;  // reported where it is made
+      KitPart part;                                      // as its tips go round
+      part.solid = std::make_shared<const Solid>(toothlessGear(spec, kCoarse));
       part.pose = kit.train.gears[g].pose;
       pair.add(part);
     }
@@ -385,7 +385,7 @@ std::optional<KitFailure> addWheels(KitBuilder& kit) {
     for (std::size_t m = 0; m < marked.size(); ++m) {
       (marked[m]->toothGear == g ? marked[m]->isToothMarked : marked[m]->isSpaceMarked) = made->hasMark[m];
     }
-    const std::string what = (isRing(gear.spec) ? "ring " : "wheel ") + gear.name;
+    const std::string what = (isRing(gear.spec) ? "ring-" : "wheel-") + gear.name;
     KitPart& part = kit.add(isRing(gear.spec) ? KitPartKind::ring : KitPartKind::wheel, gear.link, what,
                             std::move(made->solid), gear.pose * made->place);
     part.gear = g;
@@ -442,12 +442,13 @@ KitPart shaftPart(KitBuilder& kit, const ShaftSegment& shaft) {
   KitPart part;
   part.kind = KitPartKind::shaft;
   part.link = shaft.link;
-  part.name = kit.label(shaft.link) + " shaft";
+  part.name = kit.label(shaft.link) + "-shaft";
   part.solid = std::make_shared<const Solid>(std::move(solid));
   part.pose = pose;
   part.diameter = 2 * section.outer;
   part.inner = 2 * section.inner;
   part.length = length;
+  if (section.inner == 0) part.overhang = std::asin(section.flat / section.outer);
   return part;
 }
 
@@ -467,7 +468,7 @@ KitPart collarPart(KitBuilder& kit, const ShaftSegment& shaft, double low, doubl
   KitPart part;
   part.kind = isClip ? KitPartKind::clip : KitPartKind::spacer;
   part.link = shaft.link;
-  part.name = kit.label(shaft.link) + (isClip ? " clip" : " spacer");
+  part.name = kit.label(shaft.link) + (isClip ? "-clip" : "-spacer");
   part.solid = std::make_shared<const Solid>(plateSolid(shape));
   part.pose = pose;
   part.diameter = 2 * outer;
@@ -482,17 +483,30 @@ KitPart collarPart(KitBuilder& kit, const ShaftSegment& shaft, double low, doubl
 void addShafts(KitBuilder& kit) {
   constexpr double kLeastSpacer = 0.9, kAxialPlay = 0.2, kClip = 2.4;
   KitAssembly others;
-  for (const KitPart& part : kit.parts) others.add(part);
-  // Keeps a part that overlaps nothing but, perhaps, its own shaft.
+  std::vector<LinkOrdinal> links;
+  for (const KitPart& part : kit.parts) {
+    others.add(part);
+    links.push_back(part.link);
+  }
+  const auto drop = [&] {
+    others.drop();
+    links.pop_back();
+  };
+  // Keeps a part that overlaps nothing, also in motion.
   const auto fits = [&](const KitPart& part) {
     others.add(part);
     const std::size_t last = others.size() - 1;
     for (std::size_t p = 0; p < last; ++p) {
-      if (others.overlaps(last, p)) {
+      const LinkOrdinal other = links[p];
+      bool meet = others.overlaps(last, p);
+      for (std::size_t k = 0; k < kit.poses.size() && !meet && other != part.link; ++k)
+        meet = others.overlaps(last, p, kit.poses[k][part.link], kit.poses[k][other]);
+      if (meet) {
         others.drop();
         return false;
       }
     }
+    links.push_back(part.link);
     return true;
   };
   std::vector<KitPart> collars;
@@ -521,10 +535,10 @@ void addShafts(KitBuilder& kit) {
       if (!fits(collar)) return;
       const KitPart whole = shaftPart(kit, longer);
       if (!fits(whole)) {
-        others.drop();
+        drop();
         return;
       }
-      others.drop();
+      drop();
       reach = end;
       collars.push_back(std::move(collar));
     };
@@ -538,6 +552,7 @@ void addShafts(KitBuilder& kit) {
     }
     kit.parts.push_back(shaftPart(kit, shaft));
     others.add(kit.parts.back());
+    links.push_back(shaft.link);
   }
   for (KitPart& collar : collars) kit.parts.push_back(std::move(collar));
 }

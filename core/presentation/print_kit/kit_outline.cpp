@@ -77,13 +77,13 @@ Outline hullOfPoints(std::vector<Vector2d> points) {
   return hull;
 }
 
-Outline hullOutline(std::span<const Disc> discs) {
+Outline hullOutline(std::span<const KitDisc> discs) {
   GEARGRAPH_REQUIRE(!discs.empty());
   double largest = 0;
-  for (const Disc& disc : discs) largest = std::max(largest, disc.radius);
+  for (const KitDisc& disc : discs) largest = std::max(largest, disc.radius);
   const int count = std::max(24, chordsOf(largest, 2 * pi));
   std::vector<Vector2d> points;
-  for (const Disc& disc : discs) {
+  for (const KitDisc& disc : discs) {
     for (int i = 0; i < count; ++i) points.push_back(disc.centre + disc.radius * unitAt(2 * pi * i / count));
   }
   return hullOfPoints(std::move(points));

@@ -13,7 +13,7 @@ namespace geargraph {
 using Outline = std::vector<Eigen::Vector2d>;
 
 /// A disc of a plate.
-struct Disc {
+struct KitDisc {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double radius = 1;
 };
@@ -26,7 +26,7 @@ constexpr double kOutlineTolerance = 0.01;
 /// The convex hull of points, counter-clockwise. @pre they span an area
 [[nodiscard]] Outline hullOfPoints(std::vector<Eigen::Vector2d> points);
 /// The convex hull of discs. @pre there is one
-[[nodiscard]] Outline hullOutline(std::span<const Disc> discs);
+[[nodiscard]] Outline hullOutline(std::span<const KitDisc> discs);
 /// A circle about the origin with a flat at the distance `flat`, normal to the direction `towards` (rad).
 /// @pre 0 < flat < radius
 [[nodiscard]] Outline flattedOutline(double radius, double flat, double towards);

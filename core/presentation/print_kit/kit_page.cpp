@@ -103,14 +103,20 @@ std::string partsSection(const PrintKit& kit, const Mechanism& mechanism) {
   }
   text += "</table>\n";
   std::vector<std::string> steep;
+  double flattest = 0;
   for (const KitPart& part : kit.parts) {
+    flattest = std::max(flattest, part.overhang);
     if (part.overhang > kSteepOverhang) steep.push_back(part.name);
   }
-  text += "<p>" +
-          escapedXml(steep.empty() ? translated("All parts lie on a flat face and need no supports.")
-                                   : translated("Supports are needed below the teeth of: %1.",
-                                                {listed(steep, kAllNames)})) +
-          "</p>\n";
+  const std::string degrees = readableNumber(std::ceil(flattest * 180 / std::numbers::pi));
+  text +=
+      "<p>" +
+      escapedXml(steep.empty() ? translated("All parts lie on a flat face and need no supports: "
+                                            "nothing hangs over by more than %1 degrees from the upright.",
+                                            {degrees})
+                               : translated("Supports are needed below the teeth of: %1.",
+                                            {listed(steep, kAllNames)})) +
+      "</p>\n";
   return text;
 }
 
@@ -222,11 +228,10 @@ std::string plateSection(const PrintKit& kit, std::size_t index) {
 }
 
 constexpr std::string_view kStyle =
-    "body{font:16px/1.45 sans-serif;max-width:60rem;margin:1rem auto;padding:0 "
-    "1rem;color:#222;background:#fff}"
-    "table{border-collapse:collapse}td,th{border:1px solid #bbb;padding:.15rem .5rem;text-align:left}"
-    "svg{width:100%;max-width:44rem;border:1px solid #bbb}svg path{fill:none;stroke:#246;stroke-width:.25}"
-    "svg .bed{fill:#fafafa}svg text{font-size:3px;text-anchor:middle;fill:#a30}";
+    R"css(body{font:16px/1.45 sans-serif;max-width:60rem;margin:1rem auto;padding:0 1rem}
+table{border-collapse:collapse}td,th{border:1px solid #bbb;padding:.15rem .5rem;text-align:left}
+svg{width:100%;max-width:44rem;border:1px solid #bbb}svg path{fill:none;stroke:#246;stroke-width:.25}
+svg .bed{fill:#fafafa}svg text{font-size:3px;text-anchor:middle;fill:#a30})css";
 
 MeshScene sceneOf(const std::string& name, const Mechanism& mechanism,
                   const std::function<Float3(int number)>& colourOfLink) {

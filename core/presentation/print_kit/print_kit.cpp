@@ -47,7 +47,7 @@ void numberNames(std::vector<KitPart>& parts) {
       if (parts[q].name == parts[p].name) same.push_back(q);
     }
     if (same.size() < 2) continue;
-    for (std::size_t i = 0; i < same.size(); ++i) parts[same[i]].name += ' ' + std::to_string(i + 1);
+    for (std::size_t i = 0; i < same.size(); ++i) parts[same[i]].name += '-' + std::to_string(i + 1);
   }
 }
 
@@ -68,11 +68,15 @@ std::vector<Vector3d> waysOf(const KitBuilder& kit) {
 
 std::variant<PrintKit, KitFailure> printKit(const Mechanism& mechanism, const Placement& placement,
                                             const GearTrain& train, const Arrangement& arrangement,
-                                            double unit, const KitOptions& options,
-                                            const std::stop_token& stop) {
+                                            double unit, std::span<const KitPose> poses,
+                                            const KitOptions& options, const std::stop_token& stop) {
   const KitFailure stopped{KitFailure::Kind::stopped, {}, {}};
   KitBuilder kit(mechanism, placement, train, arrangement, unit * options.scale, options);
   kit.stop = stop;
+  kit.poses.assign(poses.begin(), poses.end());
+  for (KitPose& pose : kit.poses) {
+    for (Eigen::Isometry3d& link : pose) link.translation() *= unit * options.scale;
+  }
   if (auto failure = checkTrain(kit)) return *std::move(failure);
   const std::optional<Vector3d> up = upOf(kit.plan, kit.train);
   if (!up) return layoutFailure(translated("The ground has no bearing that a base could hold."));
@@ -99,6 +103,15 @@ std::variant<PrintKit, KitFailure> printKit(const Mechanism& mechanism, const Pl
   const auto overlap = assembly.overlap(stop);
   if (stop.stop_requested()) return stopped;
   if (overlap) return overlapFailure(kit, overlap->first, overlap->second);
+  for (const KitPose& pose : kit.poses) {
+    for (std::size_t a = 0; a < kit.parts.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        if (stop.stop_requested()) return stopped;
+        const LinkOrdinal one = kit.parts[a].link, other = kit.parts[b].link;
+        if (one != other && assembly.overlaps(a, b, pose[one], pose[other])) return overlapFailure(kit, b, a);
+      }
+    }
+  }
   PrintKit made;
   made.options = options;
   made.up = kit.up;

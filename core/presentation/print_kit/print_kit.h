@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <variant>
@@ -39,7 +40,7 @@ enum class KitPartKind { wheel, ring, shaft, arm, pedestal, base, bridge, post, 
 struct KitPart {
   KitPartKind kind = KitPartKind::wheel;
   LinkOrdinal link = 0;
-  std::string name;                    ///< in files: "3 wheel 7:head"
+  std::string name;                    ///< in files: "3-wheel-7:head"
   std::shared_ptr<const Solid> solid;  ///< print frame: on z = 0, upright as it is printed
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< print frame to the assembly, mm
   std::optional<GearOrdinal> gear = {};
@@ -112,19 +113,23 @@ struct KitFailure {
   Diagnostics diagnostics = {};
 };
 
+/// Displacements of all links from the reference pose, by link, in the document's unit.
+using KitPose = ByLink<Eigen::Isometry3d>;
+
 /// The parts of a train for a printer: wheels, shafts with a flat, arms and pedestals as flat plates,
 /// bearings of the ground in a base and in bridges on posts.
 ///
 /// Guaranteed: every part is one closed shell, lies flat on z = 0 and fits its plate; no two parts overlap in
-/// the assembly (triangles against triangles, FCL). Profile shifts, phases and the distances of axes are
-/// those of the train; only teeth are thinner, by `play` on the pitch circle. Not every train has such a kit:
-/// belts, axes of several directions in the ground, arms at other angles than 0 and 90 degrees and the routed
-/// shells of several rings on one axis are rejected by name.
-/// `unit` is mm in one unit of the document. Deterministic. Cost: some seconds, most of it for the order of
-/// assembly, O(parts^2) translations of triangle meshes.
+/// the assembly, nor in any of `poses` (triangles against triangles, FCL). Profile shifts, phases and the
+/// distances of axes are those of the train; only teeth are thinner, by `play` on the pitch circle. Not every
+/// train has such a kit: belts, axes of several directions in the ground, arms at other angles than 0 and 90
+/// degrees and the routed shells of several rings on one axis are rejected by name. `unit` is mm in one unit
+/// of the document. Deterministic. Cost: some seconds, most of it for the order of assembly, O(parts^2)
+/// translations of triangle meshes.
 [[nodiscard]] std::variant<PrintKit, KitFailure> printKit(const Mechanism& mechanism,
                                                           const Placement& placement, const GearTrain& train,
                                                           const Arrangement& arrangement, double unit,
+                                                          std::span<const KitPose> poses,
                                                           const KitOptions& options,
                                                           const std::stop_token& stop = {});
 

@@ -98,13 +98,16 @@ const std::vector<Definition>& glossary() {
                    "at the large end. Another module moves the axes and changes no ratio."),
        PaperEquation::none},
       {Term::meshKind, "", toTranslate("Kind of mesh"),
-       toTranslate("External, internal (one wheel is a ring), bevel (the axes meet), belt or pins (the wheels do not "
-                   "touch), crossed helical or worm (the axes cross without meeting). Without it the geometry tells "
-                   "which of the first three it is."),
+       toTranslate(
+           "External, internal (one wheel is a ring), bevel (the axes meet), belt or pins (the wheels do not "
+           "touch), crossed helical or worm (the axes cross without meeting). Without it the geometry tells "
+           "which of the first three it is."),
        PaperEquation::none},
       {Term::helixAngle, "β", toTranslate("Helix angle"),
-       toTranslate("Between a tooth and the axis, at the reference cylinder of the first gear. A right-hand helix turns "
-                   "like a common screw. On parallel axes it changes no ratio; on axes that cross, the hands decide which "
+       toTranslate("Between a tooth and the axis, at the reference cylinder of the first gear. A right-hand "
+                   "helix turns "
+                   "like a common screw. On parallel axes it changes no ratio; on axes that cross, the hands "
+                   "decide which "
                    "way the gears turn."),
        PaperEquation::none},
       {Term::pitchPoint, "", toTranslate("Pitch point"),

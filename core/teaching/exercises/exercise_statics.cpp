@@ -165,7 +165,7 @@ std::optional<TrainEfficiency> efficiencyOf(const ExerciseSource& source, const 
   if (result.passing.empty() || !fed.fraction() || fed.sign() <= 0) return std::nullopt;
   result.latent = result.latent / *fed.fraction();
   const std::vector<MeshEfficiency> efficiencies(static_cast<std::size_t>(source.graph().c()),
-                                                 MeshEfficiency{meshEfficiency, {}, true, true});
+                                                 MeshEfficiency{meshEfficiency, true, true});
   const auto forward = passedBy(source, train, 1, efficiencies);
   const auto backward = passedBy(source, train, -1, efficiencies);
   if (!forward || !backward) return std::nullopt;

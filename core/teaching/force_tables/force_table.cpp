@@ -23,7 +23,7 @@ constexpr Names kNames[] = {
     {ForceTableKind::bearings, toTranslate("Bearings"), "bearings"},
     {ForceTableKind::powers, toTranslate("Power"), "powers"},
     {ForceTableKind::circulations, toTranslate("Circulating power"), "circulations"},
-    {ForceTableKind::states, toTranslate("Gears"), "shift-torques"},
+    {ForceTableKind::states, toTranslate("States"), "shift-torques"},
 };
 
 const Names& namesOf(ForceTableKind kind) {

@@ -171,8 +171,8 @@ Expected<WrittenAmount> readAmount(const Vocabulary& vocabulary, const WrittenCe
   auto formula = readFormula(vocabulary, cell);
   if (!formula) return formula.error();
   if (!formula->terms.empty()) {
-    return formulaFault(cell,
-                   translated("“%1” holds a velocity, and an entry of a matrix is a number.", {cell.text}));
+    return formulaFault(
+        cell, translated("“%1” holds a velocity, and an entry of a matrix is a number.", {cell.text}));
   }
   return formula->amount;
 }

@@ -170,7 +170,7 @@ std::optional<EfficiencyCurve> efficiencyCurve(const Mechanism& mechanism, const
   }
   for (const Rational& at : placesOn(range)) {
     if (axis == CurveAxis::meshEfficiency)
-      std::fill(efficiencies.begin(), efficiencies.end(), MeshEfficiency{at, {}, true, true});
+      std::fill(efficiencies.begin(), efficiencies.end(), MeshEfficiency{at, true, true});
     auto point = follower.pointAt(at, inputs ? inputs->at(at) : *report.motion, efficiencies, curve.held);
     if (!point) return std::nullopt;
     curve.points.push_back(std::move(*point));

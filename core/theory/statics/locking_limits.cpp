@@ -20,8 +20,7 @@ struct LossPath {
 
   [[nodiscard]] std::vector<MeshEfficiency> at(const Rational& place) const {
     std::vector<MeshEfficiency> efficiencies;
-    for (const Rational& loss : losses)
-      efficiencies.push_back({Rational(1) - place * loss, {}, true, isExact});
+    for (const Rational& loss : losses) efficiencies.push_back({Rational(1) - place * loss, true, isExact});
     return efficiencies;
   }
   /// The value that is told: an efficiency, or a factor of the stated losses.

@@ -12,11 +12,11 @@ namespace geargraph {
 
 /// The efficiency of one mesh, of the power that crosses it seen from its carrier.
 struct MeshEfficiency {
-  Rational value = 1;  ///< where the tail's gear drives
-  /// Where the head's gear drives, if that differs: gears on skew axes. One that is not above 0 cannot drive.
-  std::optional<Rational> backward = {};
+  Rational value = 1;    ///< where the tail's gear drives
   bool isGiven = false;  ///< an efficiency or a friction is stated for it; else it is 1
   bool isExact = true;   ///< false where it comes from friction, or from angles that are not rational
+  /// Where the head's gear drives, if that differs: gears on skew axes. One that is not above 0 cannot drive.
+  std::optional<Rational> backward = {};
 
   [[nodiscard]] const Rational& of(MeshLoss::Driver driver) const {
     return driver == MeshLoss::Driver::head && backward ? *backward : value;

@@ -15,7 +15,7 @@ struct MeshPose {
   const Vector3* pitchPoint = nullptr;
   std::optional<MeshKind> kind;
   /// Of gears on skew axes: the helix angles of the tail's and the head's, rad, positive right-hand.
-  std::optional<std::pair<double, double>> helices;
+  std::optional<std::pair<double, double>> helices = {};
 };
 
 /// The sign s of the terminal equation N_i w_ik = s N_j w_jk [AU, below Eq. (26)]: +1 if both gears turn the

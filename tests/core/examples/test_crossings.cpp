@@ -79,6 +79,29 @@ class CrossingsTest : public QObject {
     QCOMPARE(passedOn(crossedPair(40, 2, "worm")), Rational(20));
   }
 
+  /// A hoist: worm 1 - 40, and a planetary set 18 - 27 - 72 with the ring held on the wheel's shaft.
+  void aWormWithAPlanetarySet() {
+    for (const bool isLeft : {false, true}) {
+      Mechanism hoist = TrainSketch(4)
+                            .axis("w", {"0", "0", "0"})
+                            .axis("s", {"50", "0", "0"}, {"0", "-1", "0"})
+                            .axis("p", {"50", "0", "45"}, {"0", "-1", "0"})
+                            .joint(0, 1, "w")
+                            .joint(0, 2, "s")
+                            .joint(0, 3, "s")
+                            .joint(3, 4, "p")
+                            .mesh(1, 2, 1, 40, crossing("worm"))
+                            .mesh(2, 4, 18, 27, crossing("external"), {"50", "-60", "18"})
+                            .mesh(4, 0, 27, 72, crossing("internal"), {"50", "-60", "72"})
+                            .inputs({{5, "1"}})
+                            .build();
+      if (isLeft) hoist.gearMeshes[0].hand = Hand::left;
+      const SnapshotPtr snapshot = snapshotOf(hoist);
+      QVERIFY(snapshot->solved && snapshot->solved->agreement && snapshot->solved->agreement->equal);
+      QCOMPARE(snapshot->solved->exact->rates[2], Rational(isLeft ? -1 : 1, 200));
+    }
+  }
+
   /// z 2/30, m 3, d_1 44: lead angle 7.7651660184 degrees, a = 67 (Machine elements, worm gears).
   void theWormOfTheBook() {
     Mechanism pair = crossedPair(2, 30, "worm", {"0", "1", "0"}, "67");
@@ -275,10 +298,12 @@ class CrossingsTest : public QObject {
     for (const bool isLocking : {true, false}) {
       Mechanism pair = crossedPair(1, 40, "worm");
       pair.gearMeshes[0].efficiency = Number::fromText(isLocking ? "0.45" : "0.9");
-      pair.inputs = std::vector<Input>{{JointId("4"), Number(1)}};  // the wheel drives
+      pair.inputs = std::vector<Input>{{JointId("4"), Number(1), {}}};  // the wheel drives
       pair.loads.push_back({{}, JointTorque{JointId("3"), Number(-1)}, {}});
       const test::StaticsCase worked(pair);
-      const StaticsReport report = test::reportOf(worked);
+      StaticsOptions options;
+      options.losses = true;
+      const StaticsReport report = test::reportOf(worked, options);
       QVERIFY(report.lossy.has_value());
       QCOMPARE(report.lossy->outcome == LossySolution::Outcome::selfLocking, isLocking);
       const bool isTold = std::any_of(report.diagnostics.begin(), report.diagnostics.end(),

@@ -53,8 +53,7 @@ const std::vector<Promise>& promises() {
       {"locked-train", 0, 0, {{4, 0}, {5, 0}, {6, 0}}, {Code::locked}},
       {"bevel-wrist", 3, 0, {{9, Rational(2, 3)}, {11, 0}, {12, Rational(-8, 9)}}},
       {"helical-reverted-train", 1, 0, {{5, Rational(-1, 6)}, {6, Rational(1, 18)}}},
-      {"scara-belts", 2, 0, {{6, Rational(1, 4)}, {9, 0}, {10, Rational(-1, 4)}}},
-      {"worm-hoist", 1, 0, {{6, Rational(1, 40)}, {7, Rational(1, 200)}, {8, Rational(-1, 75)}}},
+      {"worm-hoist", 1, 0, {{5, Rational(1, 40)}, {6, Rational(-1, 160)}}},
       {"three-roll-wrist", 3, 0, {{9, Rational(-4, 5)}, {11, 0}, {12, Rational(-2, 3)}}},
   };
   return all;

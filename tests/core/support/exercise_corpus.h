@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/design/synthesis/drive_sets.h"
 #include "core/teaching/exercises/exercise_sheet.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
@@ -62,6 +63,13 @@ void visitRandomTrains(const Visit& visit) {
     const int n = 2 + static_cast<int>(seed % 11);
     visit(randomTrain(seed, n, 1 + static_cast<int>(seed % static_cast<std::uint64_t>(n))), 1);
   }
+}
+/// Belts and pins in holes, which no example has.
+template <class Visit>
+void visitDrives(const Visit& visit) {
+  visit(*beltStage({20, 50, Number(5), false}), 4);
+  visit(*beltStage({20, 50, Number(5), true}), 4);
+  visit(*cycloidalDrive(16), 4);
 }
 template <class Visit>
 void visitRandomDigraphs(const Visit& visit) {

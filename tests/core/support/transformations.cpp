@@ -118,6 +118,10 @@ Mechanism withLengthsScaled(Mechanism mechanism, const Rational& factor) {
   for (GearMesh& mesh : mechanism.gearMeshes) {
     scale(mesh.pitchPoint, factor);
     scale(mesh.faceWidth, factor);
+    scale(mesh.module, factor);
+    scale(mesh.pitch, factor);
+    scale(mesh.tailDiameter, factor);
+    scale(mesh.headDiameter, factor);
   }
   for (Wheel& wheel : mechanism.wheels) scale(wheel.bore, factor);
   if (mechanism.gearDefaults) scale(mechanism.gearDefaults->faceWidth, factor);

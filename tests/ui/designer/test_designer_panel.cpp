@@ -12,8 +12,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "ui/designer/designer_panel.h"
 #include "ui/canvas/drawing_preview.h"
+#include "ui/designer/designer_panel.h"
 #include "ui/designer/hit_card.h"
 #include "ui/designer/hit_words.h"
 #include "ui/designer/hits_table.h"

@@ -123,8 +123,8 @@ class EfficiencyCardTest : public QObject, private OpenForcesPanel {
     mechanism.gearMeshes[1].efficiency = Number(Rational(99, 100));
     open(mechanism);
     QTRY_VERIFY(own->isVisible());
-    QVERIFY2(own->text().contains(QStringLiteral("μ = 1/20")) &&
-                 own->text().contains(QStringLiteral("mesh 10: η = 99/100")),
+    QVERIFY2(own->text().contains(QStringLiteral("μ = 0.05")) &&
+                 own->text().contains(QStringLiteral("mesh 10: η = 0.99")),
              qPrintable(own->text()));
   }
 };

@@ -140,7 +140,7 @@ class GearboxPanelTest : public QObject {
     QCOMPARE(wanted.count(), 1);
     const QString csv = wanted[0][1].toString();
     QVERIFY2(csv.startsWith(QLatin1String("state,drive,driven,engaged,A [N m]")), qPrintable(csv));
-    QVERIFY2(csv.contains(QLatin1String("\n1,1,8,A B C,1.23188")), qPrintable(csv));
+    QVERIFY2(csv.contains(QLatin1String("\n1,1,2,A B C,1.23188")), qPrintable(csv));
     // They belong to these states only.
     press("addState");
     QCOMPARE(panel->model().index(0, 1).data().toString(), QString());

@@ -83,6 +83,18 @@ class InsertSetTest : public QObject {
     QCOMPARE(inserted->gearMeshes[0].tail, inserted->links[0].id);
   }
 
+  void theRatioOfASetIsToldWithItsSign() {
+    QVERIFY(summary().contains(QStringLiteral("One turn of \"sun\" turns \"carrier\" by 2/7.")));
+    auto* kinds = dialog->findChild<QListWidget*>(QStringLiteral("kinds"));
+    const auto worm = kinds->findItems(QStringLiteral("Worm stage"), Qt::MatchExactly);
+    QCOMPARE(worm.size(), 1);
+    kinds->setCurrentItem(worm.front());
+    QVERIFY(summary().contains(QStringLiteral("One turn of \"worm\" turns \"worm wheel\" by \u22121/40.")));
+    insert().click();
+    QVERIFY(inserted.has_value());
+    QCOMPARE(inserted->gearMeshes[0].kind, MeshKind::worm);
+  }
+
   void anotherChoiceIsTakenFromTheTable() {
     auto* choices = visible<QTableWidget>("choices");
     choices->selectRow(2);

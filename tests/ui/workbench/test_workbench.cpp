@@ -16,7 +16,7 @@ class WorkbenchTest : public QObject {
     QByteArray left;
     connect(&workbench->analysis(), &QObject::destroyed, [&] { left = whole->metaObject()->className(); });
     workbench.reset();
-    QCOMPARE(left, QByteArray("geargraph::workbench::Workbench"));
+    QCOMPARE(left, QByteArray("geargraph::Workbench"));
   }
 };
 

@@ -14,9 +14,12 @@ Rational driven(const Expected<Mechanism>& set) {
   if (!set) throw std::runtime_error(set.error().front().message);
   const SnapshotPtr snapshot = test::snapshotOf(*set);
   if (hasErrors(snapshot->diagnostics)) throw std::runtime_error(snapshot->diagnostics.front().message);
+  if (!snapshot->solved) throw std::runtime_error("not solved");
   if (!snapshot->solved->agreement || !snapshot->solved->agreement->equal)
     throw std::runtime_error("the methods disagree");
-  return ratioOfSet(*set)->speed;
+  const auto ratio = ratioOfSet(*set);
+  if (!ratio) throw std::runtime_error("no ratio");
+  return ratio->speed;
 }
 
 }  // namespace

@@ -14,8 +14,10 @@
 #include "core/presentation/print_kit/kit_check.h"
 #include "core/presentation/print_kit/kit_page.h"
 #include "core/presentation/print_kit/kit_plates.h"
+#include "core/presentation/print_kit/kit_poses.h"
 #include "core/presentation/print_kit/kit_shell.h"
 #include "core/presentation/print_kit/print_kit.h"
+#include "core/theory/pose/joint_limits.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/snapshot_of.h"
 
@@ -34,7 +36,10 @@ constexpr std::array kExamples = {"spur-pair", "planetary-ring-held", "three-pla
 std::variant<PrintKit, KitFailure> kitOf(const SnapshotPtr& snapshot, const KitOptions& options = {},
                                          const std::stop_token& stop = {}) {
   const DerivedGeometry& geometry = *snapshot->geometry;
-  return printKit(*snapshot->mechanism, geometry.placement(), *geometry.train(), *geometry.arrangement(), 1,
+  const auto loaded = exportTrain(snapshot);
+  const auto& train = std::get<ExportTrain>(loaded);
+  const std::vector<KitPose> poses = kitPoses(train.mechanism(), train.placed().kinematics, train.motions);
+  return printKit(*snapshot->mechanism, geometry.placement(), train.train, *geometry.arrangement(), 1, poses,
                   options, stop);
 }
 
@@ -176,12 +181,17 @@ void TestPrintKit::nothingOverlapsAtRestAndInMotion() {
   const auto loaded = exportTrain(snapshot);
   const auto& train = std::get<ExportTrain>(loaded);
   const PlacedTrain placed = train.placed();
-  double fastest = 0;
-  for (const Rational& rate : train.motions.front()) fastest = std::max(fastest, std::abs(rate.toDouble()));
+  const std::vector<double> reference(train.motions.front().size(), 0);
+  std::vector<double> rates;
+  for (const Rational& rate : train.motions.back()) rates.push_back(rate.toDouble());
+  const double fastest = std::abs(*std::max_element(
+      rates.begin(), rates.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const MotionRange range = motionRange(angleLimits(train.mechanism()), reference, rates);
+  // Other poses than those that the kit looked at itself.
   for (int frame = 1; frame <= 12; ++frame) {
+    const double time = std::min(1.31 * frame / fastest, 0.99 * range.to);
     std::vector<double> angles;
-    for (const Rational& rate : train.motions.front())
-      angles.push_back(rate.toDouble() / fastest * 0.37 * frame);
+    for (const double rate : rates) angles.push_back(rate * time);
     const auto poses = placed.kinematics.poses(angles);
     for (std::size_t a = 0; a < kit.parts.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
@@ -235,7 +245,7 @@ void TestPrintKit::playThinsTeethAndKeepsShifts() {
   }
   // Measured on the sun: the width of a tooth on the pitch circle, at the upper face.
   for (const KitPart& part : kit.parts) {
-    if (part.kind != KitPartKind::wheel || part.name.find("1 wheel") != 0) continue;
+    if (part.kind != KitPartKind::wheel || part.name.find("1-wheel") != 0) continue;
     const GearSpec& spec = kit.gears[static_cast<std::size_t>(int{*part.gear})];
     std::vector<double> crossings;
     const double radius = pitchRadius(spec), top = boundsOf(*part.solid).max().z();

@@ -35,6 +35,7 @@ void visitCorpus(const Visit& visit) {
   test::visitExamples(visit);
   test::visitGearboxesWithFewStates(visit);
   test::visitPlanetarySets(visit);
+  test::visitDrives(visit);
 }
 
 }  // namespace

@@ -116,6 +116,7 @@ class GradingCorpusTest : public QObject {
   void gearboxesWithFewStates() { test::visitGearboxesWithFewStates(checker()); }
   void textbookTrains() { test::visitTextbookTrains(checker()); }
   void planetarySets() { test::visitPlanetarySets(checker()); }
+  void drives() { test::visitDrives(checker()); }
   void randomTrains() { test::visitRandomTrains(checker()); }
   void randomDigraphs() { test::visitRandomDigraphs(checker()); }
 

@@ -197,7 +197,7 @@ class IndependentAnswersTest : public QObject {
       const Rational right = size * Rational(geometry.sign);
       expect(terminal, {k, right.toString()}, {"right"});
       expect(terminal, {k, (-right).toString()},
-             {"internal-as-external", "external-as-internal", "bevel-sign"});
+             {"internal-as-external", "external-as-internal", "bevel-sign", "crossed-sign"});
       if (size != 1) expect(terminal, {k, right.inverse().toString()}, {"ratio-upside-down"});
     }
 

@@ -435,18 +435,19 @@ class StaticsForcesTest : public QObject {
     Mechanism chain = planetary(24, 18, 2);
     chain.gearMeshes[0].efficiency = Number::fromText("0.97");
     chain.gearMeshes[1].friction = Number::fromText("0.06");
-    const auto contacts = meshContacts(chain, placementOf(chain));
+    const Placement placement = placementOf(chain);
+    const auto contacts = meshContacts(chain, placement);
     QVERIFY(hasFriction(chain) && !hasFriction(planetary(24, 18)));
-    const auto without = efficienciesOf(chain, contacts);
+    const auto without = efficienciesOf(chain, placement, contacts);
     QVERIFY(!without[1].isExact);
     QCOMPARE(without[1].value.toDouble(), 1 - 0.06 * toothLossFactor(*contacts[1]));
     QVERIFY(without[0].value == Rational(97, 100) && without[0].isGiven && without[1].isGiven);
     QVERIFY(!without[2].isGiven && without[2].value == Rational(1));
-    QVERIFY(efficienciesOf(chain, contacts, Rational(9, 10))[2].value == Rational(9, 10));
+    QVERIFY(efficienciesOf(chain, placement, contacts, Rational(9, 10))[2].value == Rational(9, 10));
     chain.gearDefaults.emplace();
     chain.gearDefaults->efficiency = Number::fromText("99/100");
-    QVERIFY(efficienciesOf(chain, contacts, Rational(9, 10))[3].value == Rational(99, 100));
-    QVERIFY(efficienciesOf(chain, contacts)[0].value == Rational(97, 100));
+    QVERIFY(efficienciesOf(chain, placement, contacts, Rational(9, 10))[3].value == Rational(99, 100));
+    QVERIFY(efficienciesOf(chain, placement, contacts)[0].value == Rational(97, 100));
   }
 
   /// Ohlendorf's formula where it holds, and numerical integration everywhere.
