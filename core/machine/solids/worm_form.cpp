@@ -84,7 +84,7 @@ class WormShell {
     int point = 0;
     int end = 0;  ///< -1, 1: at the lower, upper end plane; 0: at the point
   };
-  /// Of a meridian in an end plane; the normal (radial, along).
+  /// Where a meridian ends in an end plane, with the normal (radial, along) there.
   struct End {
     double radius = 0;
     Eigen::Vector2d normal;

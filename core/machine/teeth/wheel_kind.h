@@ -29,7 +29,7 @@ struct WheelKind {
   GearSpec (*withHelix)(GearSpec normal, double helixAngle) = helical;
   /// How large the teeth are, as toothSize(); null: the spec's module.
   double (*toothSize)(const GearSpec& spec) = nullptr;
-  /// The face width where the document gives none, a length; null: so many modules.
+  /// Gives the face width where the document states none, a length; null: a number of modules.
   double (*usualFace)(const GearSpec& spec) = nullptr;
   /// As contactRatio() (tooth_pair.h), of a wheel `a` of this kind. Unused without teeth.
   double (*contactRatio)(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,

@@ -22,7 +22,7 @@ struct ThreadSection {
   double half;              ///< of the thickness at the pitch radius
   double fillet;            ///< its radius
   explicit ThreadSection(const GearSpec& worm) {
-    const double share = 1 / std::tan(leadAngle(worm));  // of an axial module in a transverse one
+    const double share = 1 / std::tan(leadAngle(worm));  // axial modules in one transverse module
     pitch = worm.teeth / 2.0 * share;
     tip = nominalTipRadius(worm) / axialModule(worm);
     root = pitch - worm.dedendum * share;
@@ -127,7 +127,7 @@ std::vector<ThreadPoint> threadProfile(const GearSpec& worm, double tolerance) {
 /// The point `along` of the axial section is turned by 2 pi along / lead, and so is the normal: a step along
 /// the thread is one round the axis.
 HalfTooth wormTooth(const GearSpec& worm, double tolerance) {
-  const double share = std::tan(leadAngle(worm));  // of a transverse module in an axial one
+  const double share = std::tan(leadAngle(worm));  // transverse modules in one axial module
   const double turn = 2.0 / worm.teeth;            // for an axial module
   std::vector<ThreadPoint> section = threadProfile(worm, tolerance / share);
   const ThreadPoint formPoint = section[section.size() - 2];
@@ -150,7 +150,7 @@ HalfTooth wormTooth(const GearSpec& worm, double tolerance) {
   const double root = section.front().rad * share;
   addArc(root, pi / worm.teeth, section.front().along * turn, section.front().normalRad < 1);
   for (const ThreadPoint& p : section) {
-    const double round = p.normalAlong / (turn * p.rad);  // of the normal across the radius
+    const double round = p.normalAlong / (turn * p.rad);  // the part of the normal across the radius
     const double length = std::hypot(p.normalRad, round);
     tooth.points.push_back({p.rad * share, p.along * turn, p.normalRad / length, round / length});
   }

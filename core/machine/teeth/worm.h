@@ -26,10 +26,11 @@ constexpr double kWormRim = 1.5;
 [[nodiscard]] GearSpec wormWithHelix(GearSpec normal, double helixAngle);
 [[nodiscard]] GearSpec wormWheelWithHelix(GearSpec normal, double helixAngle);
 
-/// Of a worm: the angle of its thread against the transverse plane, positive, rad; the module in its axial
-/// section; the advance of the thread in one turn, a length.
+/// Angle of the thread of a worm against the transverse plane, positive, rad.
 [[nodiscard]] double leadAngle(const GearSpec& worm);
+/// Module of a worm in its axial section, a length.
 [[nodiscard]] double axialModule(const GearSpec& worm);
+/// Advance of the thread in one turn of the worm, a length.
 [[nodiscard]] double leadOf(const GearSpec& worm);
 
 /// Between the axes of a wheel and of the worm that it was made for.

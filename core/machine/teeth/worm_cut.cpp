@@ -13,10 +13,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// Of the groove at the edges of a wide rim, which the worm does not reach, in modules.
+/// Least depth of the groove at the edges of a wide rim, which the worm does not reach, and the overlap in
+/// which its root blends into the worm's reach, in modules.
 constexpr double kLeastGroove = 0.2;
 constexpr double kGrooveBlend = 0.4;
-/// Between the rounded corners of the cutter's tip, and their least radius, in modules.
+/// Half the land between the rounded corners of the cutter's tip, and their least radius, in modules.
 constexpr double kHalfCutterLand = 0.02;
 constexpr double kLeastRound = 0.05;
 

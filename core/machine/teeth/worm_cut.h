@@ -20,8 +20,8 @@ class WormCut {
   /// @pre specDiagnostics(wheel) is empty
   explicit WormCut(const GearSpec& wheel);
 
-  /// Of the section: its root circle and, lowered where the tooth would be pointed, its tip circle, with
-  /// their slopes along the axis. The section at -height has the same. Cost of the tip: some flank points.
+  /// A circle of the section, with its slope along the axis. The tip circle is lowered where the tooth would
+  /// be pointed. The section at -height has the same circles. Cost of the tip: some flank points.
   struct Circle {
     double radius = 0;
     double perHeight = 0;
