@@ -133,25 +133,11 @@ QStringList examplePaths() {
   // From the simple to the strange; what is not named here comes last.
   const QDir examples(QStringLiteral(":/examples"));
   QStringList paths{robotExamplePath()};
-  for (const char* name : {"spur-pair",
-                           "reverted-train",
-                           "helical-reverted-train",
-                           "planetary-ring-held",
-                           "three-planets",
-                           "bevel-differential",
-                           "simpson",
-                           "ravigneaux",
-                           "prius-power-split",
-                           "worm-hoist",
-                           "eight-speed-gearbox",
-                           "humpage-reduction",
-                           "bevel-wrist",
-                           "three-roll-wrist",
-                           "ferguson-paradox",
-                           "redundant-planetary",
-                           "locked-train",
-                           "cannot-be-assembled",
-                           "robot-to-mend"}) {
+  for (const char* name :
+       {"spur-pair", "reverted-train", "helical-reverted-train", "planetary-ring-held", "three-planets",
+        "bevel-differential", "simpson", "ravigneaux", "prius-power-split", "worm-hoist",
+        "eight-speed-gearbox", "humpage-reduction", "bevel-wrist", "three-roll-wrist", "ferguson-paradox",
+        "redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"}) {
     const QString path = examples.filePath(QLatin1String(name) + QStringLiteral(".geargraph"));
     if (QFile::exists(path)) paths << path;
   }
