@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/teaching/force_tables/dual_equations.h"
-#include "ui/models/term_tips.h"
+#include "ui/models/minus_sign.h"
 #include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
@@ -25,11 +25,6 @@ constexpr QChar kFrameEnds(0xE001);
 
 QString signText(int factor) {
   return factor < 0 ? QStringLiteral("\u2212") : QString();
-}
-
-/// Words of core with the minus sign of print.
-QString printed(const std::string& text) {
-  return shownText(text).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 /// The symbol of a rate as a picture that stands on the base line of rich text: few text fonts place a
@@ -120,7 +115,7 @@ class DualityText {
                     m_rate + QStringLiteral("<sub>%1</sub>").arg(jointLabel(joint)));
     const QString title = DualityLine::tr("Row %1: speeds of mesh %1").arg(meshLabel(m_equations.mesh));
     return quiet(title + QStringLiteral(" (17)")) + line(sum + QStringLiteral(" = 0")) +
-           quiet(printed(m_equations.speeds));
+           quiet(withMinusSign(m_equations.speeds));
   }
 
   [[nodiscard]] QString columnSide() const {
@@ -133,7 +128,7 @@ class DualityText {
     const QString title = DualityLine::tr("Column %1: torque in joint %1").arg(jointLabel(m_equations.joint));
     const QString number = m_equations.torque.empty()
                                ? DualityLine::tr("shared in unknown parts, or not held")
-                               : DualityLine::tr("here %1 N m").arg(printed(m_equations.torque));
+                               : DualityLine::tr("here %1 N m").arg(withMinusSign(m_equations.torque));
     return quiet(title + QStringLiteral(" (17*)")) +
            line(QStringLiteral("\u03C4<sub>%1</sub> + \u2113<sub>%1</sub> = %2")
                     .arg(jointLabel(m_equations.joint), sum)) +

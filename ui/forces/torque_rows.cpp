@@ -9,7 +9,7 @@
 
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/states/state_edits.h"
-#include "ui/models/term_tips.h"
+#include "ui/models/minus_sign.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/control_button.h"
@@ -19,10 +19,6 @@ namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxTorqueRows = 12;  ///< the panel Forces lists all
-
-QString withMinus(const std::string& text) {
-  return shownText(text).replace(QLatin1Char('-'), QChar(0x2212));
-}
 
 const Number* torqueOf(const Load& load) {
   if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) return &inJoint->torque;
@@ -145,8 +141,8 @@ TorqueRows::Content TorqueRows::contentOf(const HeldPart& part, const Real& torq
     return shownText(m_document->elements().labelOf(id).value_or(id.text()));
   };
   Content row;
-  const QString number = isKnown ? withMinus(shownNumber(torque.number())) : QString();
-  if (isKnown && torque.isExact()) row.exact = withMinus(shownReal(torque));
+  const QString number = isKnown ? withMinusSign(shownNumber(torque.number())) : QString();
+  if (isKnown && torque.isExact()) row.exact = withMinusSign(shownReal(torque));
   if (part.coupling >= 0) {
     const ShiftElement& coupling = mechanism.couplings[static_cast<std::size_t>(part.coupling)];
     const QString name = shownText(coupling.id.text());

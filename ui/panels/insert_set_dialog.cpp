@@ -10,7 +10,7 @@
 #include "core/design/synthesis/bevel_sets.h"
 #include "core/design/synthesis/drive_sets.h"
 #include "core/design/synthesis/shifting_sets.h"
-#include "ui/models/term_tips.h"
+#include "ui/models/minus_sign.h"
 #include "ui/panels/set_forms.h"
 #include "ui/panels/set_preview.h"
 #include "ui/theme/application_theme.h"
@@ -189,7 +189,7 @@ void InsertSetDialog::renew() {
     text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());
   if (const auto ratio = ratioOfSet(*set)) {
     const auto name = [&](LinkOrdinal link) { return shownText(set->links[link].name); };
-    const QString turns = shownText(ratio->speed.toString()).replace(QLatin1Char('-'), QChar(0x2212));
+    const QString turns = withMinusSign(ratio->speed.toString());
     text += '\n' +
             tr("One turn of \"%1\" turns \"%2\" by %3.").arg(name(ratio->input), name(ratio->output), turns);
   }
