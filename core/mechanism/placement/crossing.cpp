@@ -44,7 +44,7 @@ double acute(double angle) {
 
 /// Equal helix angles of both gears.
 double equalHelix(const GearMesh& mesh, double angle) {
-  const double smaller = halfTurn(-angle) / 2;  // of the acute crossing angle
+  const double smaller = halfTurn(-angle) / 2;  // half the acute crossing angle
   const double larger = smaller > 0 ? smaller - pi / 2 : smaller + pi / 2;
   constexpr double kSquare = 1e-9;
   const bool isSquare = std::abs(std::abs(smaller) - pi / 4) < kSquare;

@@ -44,9 +44,9 @@ Outline stroke(const Vector2d& a, const Vector2d& b, double width) {
   return {a, a + along - across, b - along - across, b, b - along + across, a + along + across};
 }
 
-constexpr double kDigitWidth = 0.55;    // of the height
-constexpr double kDigitStroke = 0.17;   // of the height
-constexpr double kDigitAdvance = 0.80;  // of the height
+constexpr double kDigitWidth = 0.55;    // as a share of the height
+constexpr double kDigitStroke = 0.17;   // as a share of the height
+constexpr double kDigitAdvance = 0.80;  // as a share of the height
 constexpr double kDotAdvance = 0.35;
 
 }  // namespace
