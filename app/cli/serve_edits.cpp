@@ -6,11 +6,13 @@
 #include "core/mechanism/document_format/element_members.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/link_edits.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/member_info.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "core/theory/states/state_edits.h"
+#include "core/theory/states/weld_edits.h"
 
 namespace geargraph::cli {
 namespace {
@@ -244,6 +246,12 @@ constexpr std::array kEngageStateMembers = {ServedMember{"state", "name of a sta
 constexpr std::array kRenameMembers = {ServedMember{"link", kLinkId, true},
                                        ServedMember{"name", kText, true}};
 
+constexpr std::array kMergeMembers = {ServedMember{"link", kLinkId, true},
+                                      ServedMember{"other", kLinkId, true}};
+constexpr std::array kSplitMembers = {ServedMember{"link", kLinkId, true},
+                                      ServedMember{"turningJoints", kIds}, ServedMember{"gearMeshes", kIds},
+                                      ServedMember{"couplings", kIds}};
+
 Expected<Mechanism> addLink(Mechanism m, EditMembers& of) {
   auto next = withLink(std::move(m), {}, of.text("name"));
   if (!next) return next;
@@ -317,6 +325,17 @@ Expected<Mechanism> removeElements(Mechanism m, EditMembers& of) {
     m = std::move(next).value();
   }
   return withoutElements(std::move(m), elements);
+}
+
+/// What the new link takes, by its lists as in a document; none: the side that was drawn last.
+Expected<Mechanism> splitLink(Mechanism m, EditMembers& of) {
+  const LinkId link(of.text("link"));
+  std::vector<ElementId> moving;
+  for (const ElementKind kind : {ElementKind::turningJoint, ElementKind::gearMesh, ElementKind::coupling}) {
+    for (const std::string& id : of.texts(listName(kind))) moving.emplace_back(kind, InternedString(id));
+  }
+  if (moving.empty()) moving = lastSideOf(m, link);
+  return withLinkDivided(m, link, moving);
 }
 
 Expected<Mechanism> setAxis(Mechanism m, EditMembers& of) {
@@ -412,6 +431,12 @@ std::vector<ServedEdit> madeEdits(const ElementEdits& elements) {
                    const LinkId link(of.text("link"));
                    return withName(std::move(m), link, of.text("name"));
                  }},
+      ServedEdit{"mergeLinks", kMergeMembers,
+                 [](Mechanism m, EditMembers& of) {
+                   const LinkId link(of.text("link"));
+                   return withLinksWelded(m, link, LinkId(of.text("other")));
+                 }},
+      ServedEdit{"splitLink", kSplitMembers, splitLink},
   };
 }
 

@@ -234,6 +234,21 @@ class ServeTest : public QObject {
              std::string("-1/2"));
   }
 
+  void aSplitLinkIsWeldedAgain() {
+    Served served;
+    const std::string document = served.open(robot());
+    const json before = served.ask("analyze", {{"document", document}, {"arguments", {"--json"}}});
+    const json split =
+        served.ask("edit", {{"document", document},
+                            {"edits", {{{"edit", "splitLink"}, {"link", "2"}, {"gearMeshes", {"16"}}}}}});
+    const json part = split.at("result").at("added").at("links").at(0);
+    served.ask("edit", {{"document", document},
+                        {"edits", {{{"edit", "mergeLinks"}, {"link", "2"}, {"other", part}}}}});
+    const json after = served.ask("analyze", {{"document", document}, {"arguments", {"--json"}}});
+    QVERIFY(after.at("result").at("output").at("solution") ==
+            before.at("result").at("output").at("solution"));
+  }
+
   void everyEditCanBeMadeAndRejected_data() {
     QTest::addColumn<QString>("edit");
     QTest::addColumn<QString>("code");
@@ -254,6 +269,14 @@ class ServeTest : public QObject {
     row("engage", R"({"edit": "engage", "couplings": []})");
     row("engage none", R"({"edit": "engage", "couplings": ["Z"]})", "unknown-id");
     row("rename", R"({"edit": "rename", "link": "3", "name": "hand"})");
+    row("mergeLinks of one", R"({"edit": "mergeLinks", "link": "3", "other": "3"})", "self-joint");
+    row("mergeLinks of none", R"({"edit": "mergeLinks", "link": "3", "other": "99"})", "unknown-id");
+    row("mergeLinks of gears in mesh", R"({"edit": "mergeLinks", "link": "5", "other": "2"})", "self-joint");
+    row("mergeLinks on two axes", R"({"edit": "mergeLinks", "link": "3", "other": "6"})", "turning-loop");
+    row("mergeLinks without", R"({"edit": "mergeLinks", "link": "3"})", "schema");
+    row("splitLink", R"({"edit": "splitLink", "link": "2", "gearMeshes": ["16"]})");
+    row("splitLink of none", R"({"edit": "splitLink", "link": "99", "gearMeshes": ["16"]})", "unknown-id");
+    row("splitLink of the ground", R"({"edit": "splitLink", "link": "0"})", "schema");
     row("addAxis", R"({"edit": "addAxis", "point": [0, 0, 1], "direction": [1, 0, 0], "pinned": true})");
     row("addAxis of a point", R"({"edit": "addAxis", "point": 7})", "schema");
     row("addGearMesh of a kind",

@@ -176,6 +176,13 @@ def test_edits_of_geometry():
     m.set_pitch_point(15, None)
     m.flip(m.mesh(15))
     assert m.mesh(15).teeth == (36, 18)
+    n = len(m.links)
+    part = m.split_link(2, m.mesh(16))
+    assert len(m.links) == n + 1 and part.id in (m.mesh(16).tail.id, m.mesh(16).head.id)
+    assert m.merge_links(2, part).id == "2" and len(m.links) == n
+    with pytest.raises(gg.Error) as weld:
+        m.merge_links(3, 3)
+    assert weld.value.code == "self-joint"
     m.rename(m.link(1), "arm")
     m.rename(m.axis("e"), "f")
     assert m.link("arm").label == 1 and m.joint(14).axis.id == "f"

@@ -23,6 +23,7 @@
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
+#include "core/mechanism/model/link_edits.h"
 #include "core/mechanism/model/notes.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/shapes.h"
@@ -227,6 +228,16 @@ std::vector<EditKind> drawnEdits() {
       kind<withNodesMoved>("withNodesMoved", [](Random& r) { return std::tuple{places(r)}; }),
       kind<withGround>(
           "withGround", [](Random& r) { return std::tuple{r.link()}; }, 1),
+      kind<withLinksMerged>(
+          "withLinksMerged",
+          [](Random& r) {
+            return std::tuple{r.link(), r.link()};
+          },
+          2),
+      kind<withLinkSplit>("withLinkSplit",
+                          [](Random& r) {
+                            return std::tuple{r.link(), r.elements(4), r.maybe(r.place())};
+                          }),
       kind<withInputs>("withInputs", [](Random& r) { return std::tuple{r.maybe(inputs(r))}; }),
       kind<withInputToggled>("withInputToggled", [](Random& r) { return std::tuple{r.joint()}; }),
       kind<withInputsToggled>("withInputsToggled",

@@ -6,11 +6,13 @@
 #include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
+#include "core/mechanism/model/link_edits.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/mass_edits.h"
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
+#include "core/theory/states/weld_edits.h"
 
 namespace geargraph::python {
 namespace {
@@ -104,6 +106,16 @@ void addPlainEdits(py::class_<Document>& document) {
       .def("with_ground",
            [](const Document& self, const std::string& link) {
              return edited(withGround(self.mechanism(), LinkId(link)));
+           })
+      .def("with_links_merged",
+           [](const Document& self, const std::string& link, const std::string& other) {
+             return edited(withLinksWelded(self.mechanism(), LinkId(link), LinkId(other)));
+           })
+      .def("with_link_split",
+           [](const Document& self, const std::string& link, const ElementNames& elements) {
+             std::vector<ElementId> moving = elementsFrom(elements);
+             if (moving.empty()) moving = lastSideOf(self.mechanism(), LinkId(link));
+             return edited(withLinkDivided(self.mechanism(), LinkId(link), moving));
            })
       .def("with_inserted", [](const Document& self, const Document& other) {
         return edited(withFragment(self.mechanism(), other.mechanism()));

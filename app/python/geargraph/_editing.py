@@ -254,6 +254,66 @@ class Edits(ShiftEdits):
         """
         self._document = self._document.with_renamed(*element.element, name)
 
+    def merge_links(self, link: LinkLike, other: LinkLike) -> Link:
+        """Weld two links to one: two gear sets become one gearbox.
+
+        Joints, meshes, couplings and loads of `other` are then those of `link`. Where both turn on a
+        third link, their axes become one line. The inputs stay a valid set.
+
+        Parameters
+        ----------
+        link : Link, str or int
+            The link that stays; of the ground and another link the ground stays.
+        other : Link, str or int
+            The link that goes.
+
+        Returns
+        -------
+        Link
+            The one that stayed.
+
+        Raises
+        ------
+        Error
+            "self-joint" for one link, or two that mesh with each other, "turning-loop" if the link
+            would turn about two axes, "schema" for stated masses, or loads that lose their place.
+        """
+        kept, gone = self._id(Link, link), self._id(Link, other)
+        after = self._document.with_links_merged(kept, gone)
+        kept = gone if gone == self._id(Link, 0) else kept
+        self._document = after
+        return Link(self, kept)
+
+    def split_link(
+        self, link: LinkLike, *elements: Union[TurningJoint, GearMesh, Coupling]
+    ) -> Link:
+        """Divide a link: a new one takes some of its joints, meshes and couplings.
+
+        The two turn about the axis on which the link is carried. So this undoes `merge_links` of
+        coaxial links. A joint that becomes free is driven at its present speed where the document
+        states inputs.
+
+        Parameters
+        ----------
+        link : Link, str or int
+            The link.
+        *elements : TurningJoint, GearMesh or Coupling
+            What the new link takes; without any, the side of the train that was drawn last.
+
+        Returns
+        -------
+        Link
+            The new one.
+
+        Raises
+        ------
+        Error
+            "schema" for the ground, for elements of other links, and if nothing would stay or go.
+        """
+        names = [element.element for element in elements]
+        self._document = self._document.with_link_split(self._id(Link, link), names)
+        return self._last(Link)
+
     def set_ground(self, link: LinkLike) -> None:
         """Make a link the ground: it gets the label 0, and the labels of links follow.
 
