@@ -178,6 +178,16 @@ QString ResultsModel::rowText(int row) const {
   return jointMotion(jointAt(row));
 }
 
+QString ResultsModel::rowText(int row, const QString& name) const {
+  return relativeText(QString::number(m_snapshot->graph->nodeLabel(linkNodeAt(row))), name.toStdString(),
+                      QString::number(m_snapshot->graph->nodeLabel(tailNodeAt(row))));
+}
+
+QString ResultsModel::rowName(int row) const {
+  const QString name = QString::fromStdString(m_names.nameOf(linkNodeAt(row))).simplified();
+  return rowText(row, name) == rowText(row, {}) ? QString() : name;
+}
+
 QString ResultsModel::jointMotion(int joint) const {
   const Digraph& graph = *m_snapshot->graph;
   const DigraphEdge& edge = graph.turningEdge(joint);

@@ -47,6 +47,10 @@ class ResultsModel : public QAbstractTableModel {
   /// The default row of ratioText(): the only joint on the ground other than the input; -1 if there are
   /// several or none.
   [[nodiscard]] int ratioRow() const;
+  /// The text of a row's first cell with the link's name shortened to `name`; empty: without a name.
+  [[nodiscard]] QString rowText(int row, const QString& name) const;
+  /// The name of a row's link in that text; empty if it shows none.
+  [[nodiscard]] QString rowName(int row) const;
   /// The head link of a row's joint.
   [[nodiscard]] ElementId linkAt(int row) const;
 

@@ -44,6 +44,24 @@ QPixmap linkDot(int colorNumber, qreal pixelRatio) {
   return pixmap;
 }
 
+namespace {
+
+/// The text of a row's first cell in this many px: the name of the link is shortened, then left out.
+QString rowTextIn(double room, const QModelIndex& index, const QFontMetricsF& metrics) {
+  QString text = index.data().toString();
+  if (metrics.horizontalAdvance(text) <= room) return text;
+  const auto* model = static_cast<const ResultsModel*>(index.model());
+  const QString name = model->rowName(index.row());
+  constexpr qsizetype kFewest = 3;  // letters of a name that tell anything
+  for (qsizetype letters = name.size() - 1; letters >= kFewest; --letters) {
+    text = model->rowText(index.row(), name.left(letters).trimmed() + QStringLiteral("…"));
+    if (metrics.horizontalAdvance(text) <= room) return text;
+  }
+  return metrics.elidedText(model->rowText(index.row(), {}), Qt::ElideRight, room + 1);
+}
+
+}  // namespace
+
 ResultsDelegate::ResultsDelegate(Selection* selection, QObject* parent)
     : QStyledItemDelegate(parent), m_selection(selection) {}
 
@@ -70,7 +88,9 @@ void ResultsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const QString label = index.data(ResultsModel::JointLabelRole).toString();
     const double advance = paintRate(painter, option.font, {left, base}, label);
     painter->setFont(option.font);
-    painter->drawText(QPointF(left + advance, base), QLatin1Char(' ') + text);
+    const QFontMetricsF metrics(option.font);
+    const double from = left + advance + metrics.horizontalAdvance(QLatin1Char(' '));
+    painter->drawText(QPointF(from, base), rowTextIn(cell.right() - from - kGap / 2.0, index, metrics));
   } else if (index.column() == model->columnCount() - 1) {
     QFont bold = option.font;
     bold.setBold(true);
@@ -103,6 +123,14 @@ int ResultsDelegate::widthOf(const QModelIndex& index, const QFont& font) const 
   key += QLatin1Char('\n') + text;
   const auto known = m_widths.constFind(key);
   return known != m_widths.constEnd() ? *known : *m_widths.insert(key, measured(index, text));
+}
+
+int ResultsDelegate::leastWidthOf(const QModelIndex& index, const QFont& font) {
+  const auto* model = static_cast<const ResultsModel*>(index.model());
+  const QString label = index.data(ResultsModel::JointLabelRole).toString();
+  return kMargin + kDotRoom + kGap +
+         qCeil(paintRate(nullptr, font, {}, label) +
+               QFontMetricsF(font).horizontalAdvance(QLatin1Char(' ') + model->rowText(index.row(), {})));
 }
 
 int ResultsDelegate::measured(const QModelIndex& index, const QString& text) const {

@@ -20,6 +20,8 @@ class ResultsDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   /// The preferred width of the cell in pixels. Widths of texts are cached per font.
   [[nodiscard]] int widthOf(const QModelIndex& index, const QFont& font) const;
+  /// The width of a first cell without the name of its link, which a narrower column shortens first.
+  [[nodiscard]] static int leastWidthOf(const QModelIndex& index, const QFont& font);
 
  private:
   [[nodiscard]] int measured(const QModelIndex& index, const QString& text) const;

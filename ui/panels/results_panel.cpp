@@ -294,6 +294,7 @@ void ResultsPanel::fitColumns() {
     if (measured == 0 && (isNear || isLast)) measured = widthOfColumn(column);
     all += widths.emplace_back(std::max(measured, kLeastWidth));
   }
+  if (all > width) all -= narrowed(widths.front(), all - width);
   widths.push_back(m_table->viewport()->width());
   if (widths == m_fitted) return;  // every section that is resized paints the table again
   m_fitted = widths;               // before sections move, which scrolls
@@ -305,6 +306,17 @@ void ResultsPanel::fitColumns() {
   const int wanted = all > m_table->viewport()->width() ? std::min(1, now) : now;
   if (header->visualIndex(now) != wanted) header->moveSection(header->visualIndex(now), wanted);
   m_table->horizontalHeader()->setStretchLastSection(true);
+}
+
+/// Makes the first column narrower, by up to `wanted` px: names of links are shortened so that all columns of
+/// coefficients are in sight. Returns by how much.
+int ResultsPanel::narrowed(int& first, int wanted) const {
+  int least = kLeastWidth;
+  for (int row = 0; row < std::min(m_model->rowCount(), kRowsMeasured); ++row)
+    least = std::max(least, ResultsDelegate::leastWidthOf(m_model->index(row, 0), m_table->font()));
+  const int by = std::clamp(wanted, 0, std::max(0, first - least));
+  first -= by;
+  return by;
 }
 
 int ResultsPanel::columnsFitted() const {

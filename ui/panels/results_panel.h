@@ -76,6 +76,7 @@ class ResultsPanel : public QWidget {
   void fitToType();
   void fitColumns();
   [[nodiscard]] int widthOfColumn(int column) const;
+  [[nodiscard]] int narrowed(int& first, int wanted) const;
   void paintVerdict();
   /// The row whose ratio is shown: that of the selected joint or link, else ResultsModel::ratioRow().
   [[nodiscard]] int ratioRow() const;

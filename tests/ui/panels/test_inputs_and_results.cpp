@@ -303,6 +303,33 @@ class InputsAndResultsTest : public QObject {
   }
 
   /// A step of a drag brings other numbers under the same heads, first live and then exact.
+  void namesAreShortenedBeforeCoefficientsAreHidden() {
+    document->apply({"Rename",
+                     [](const Mechanism& before) {
+                       return withName(before, LinkId("7"), "planets that have a long name");
+                     },
+                     0});
+    settle();
+    results->setNames(document->mechanism());
+    auto* table = results->findChild<QTableView*>(QStringLiteral("resultsTable"));
+    auto* header = table->horizontalHeader();
+    results->resize(1400, 300);
+    results->show();
+    const int whole = header->sectionSize(0);
+    int others = ResultsDelegate(&selection, nullptr).widthOf(results->model().index(0, 4), table->font());
+    for (int column = 1; column < 4; ++column) others += header->sectionSize(column);
+    results->resize(whole - 20 + others, 300);
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(header->sectionSize(0) < whole);
+    QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+    // The name of the link goes, its number and those of the joint stay.
+    const int least = ResultsDelegate::leastWidthOf(results->model().index(0, 0), table->font());
+    results->resize(300, 300);
+    QVERIFY(header->sectionSize(0) >= least);
+    QCOMPARE(results->model().rowText(0, {}), QString("link 1"));
+    QCOMPARE(results->model().rowName(2), QString("planets that have a long name"));
+  }
+
   void aDragLaysNothingOutAnew() {
     QSignalSpy resets(&results->model(), &QAbstractItemModel::modelReset);
     QSignalSpy changes(&results->model(), &QAbstractItemModel::dataChanged);
