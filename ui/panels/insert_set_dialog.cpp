@@ -4,11 +4,14 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <algorithm>
 
 #include "core/design/synthesis/bevel_sets.h"
 #include "core/design/synthesis/drive_sets.h"
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/reverted_train.h"
 #include "core/design/synthesis/shifting_sets.h"
 #include "ui/models/minus_sign.h"
 #include "ui/panels/set_forms.h"
@@ -20,6 +23,8 @@ namespace geargraph {
 namespace {
 
 using Counts = std::vector<int>;
+
+constexpr QSize kKindPicture(44, 34);
 
 SetForm* differentialForm() {
   return new TeethForm({{InsertSetDialog::tr("Side wheels"), "side", 24},
@@ -96,8 +101,48 @@ SetForm* rvForm() {
 
 }  // namespace
 
+std::vector<InsertableSet> insertableSets() {
+  const auto name = [](const char* text) { return InsertSetDialog::tr(text); };
+  return {
+      {"planetary", name("Planetary set"), []() -> SetForm* { return new PlanetaryForm; },
+       [] {
+         return planetarySet({24, 18}, 3, PlanetaryUse{});
+       }},
+      {"reverted", name("Reverted train"), []() -> SetForm* { return new RevertedForm; },
+       [] {
+         return revertedTrain({20, 40, 20, 40});
+       }},
+      {"differential", name("Bevel differential"), &differentialForm,
+       [] { return bevelDifferentialSet(24, 18, 2); }},
+      {"ravigneaux", name("Ravigneaux set"), &ravigneauxForm,
+       [] {
+         return ravigneauxSet({30, 36, 20, 18}, 3);
+       }},
+      {"simpson", name("Simpson set"), &simpsonForm,
+       [] {
+         return simpsonSet({33, 21}, 3);
+       }},
+      {"wrist", name("Bevel wrist"), &wristForm,
+       [] {
+         return bevelWrist({20, 30, 25, 40, 24, 18});
+       }},
+      {"worm", name("Worm stage"), &wormForm,
+       [] {
+         return wormStage({1, 40});
+       }},
+      {"belt", name("Belt drive"), &beltForm,
+       [] {
+         return beltStage({20, 40});
+       }},
+      {"strainWave", name("Strain wave drive"), &strainWaveForm, [] { return strainWave(200, 202); }},
+      {"cycloidal", name("Cycloidal drive"), &cycloidalForm, [] { return cycloidalDrive(16); }},
+      {"rv", name("RV reducer"), &rvForm, [] { return rvReducer(12, 36, 40); }},
+  };
+}
+
 InsertSetDialog::InsertSetDialog(QWidget* parent)
     : QDialog(parent),
+      m_known(insertableSets()),
       m_kinds(new QListWidget(this)),
       m_forms(new QStackedWidget(this)),
       m_preview(new SetPreview(this)),
@@ -108,17 +153,8 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
   m_kinds->setObjectName(QStringLiteral("kinds"));
   m_kinds->setFixedWidth(150);
   m_kinds->setSpacing(3);
-  addKind(tr("Planetary set"), new PlanetaryForm);
-  addKind(tr("Reverted train"), new RevertedForm);
-  addKind(tr("Bevel differential"), differentialForm());
-  addKind(tr("Ravigneaux set"), ravigneauxForm());
-  addKind(tr("Simpson set"), simpsonForm());
-  addKind(tr("Bevel wrist"), wristForm());
-  addKind(tr("Worm stage"), wormForm());
-  addKind(tr("Belt drive"), beltForm());
-  addKind(tr("Strain wave drive"), strainWaveForm());
-  addKind(tr("Cycloidal drive"), cycloidalForm());
-  addKind(tr("RV reducer"), rvForm());
+  m_kinds->setIconSize(kKindPicture);
+  for (const InsertableSet& kind : m_known) addKind(kind);
   m_summary->setWordWrap(true);
   m_summary->setObjectName(QStringLiteral("summary"));
   m_insert->setObjectName(QStringLiteral("insert"));
@@ -158,14 +194,48 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
     emit insertWanted(*set);
     accept();
   });
-  m_kinds->setFixedWidth(std::max(m_kinds->width(), m_kinds->sizeHintForColumn(0) + 4 * m_kinds->spacing()));
+  const int bar = m_kinds->verticalScrollBar()->sizeHint().width();
+  m_kinds->setFixedWidth(
+      std::max(m_kinds->width(), m_kinds->sizeHintForColumn(0) + 4 * m_kinds->spacing() + bar));
   m_kinds->setCurrentRow(0);
 }
 
-void InsertSetDialog::addKind(const QString& name, SetForm* form) {
-  m_kinds->addItem(name);
+void InsertSetDialog::addKind(const InsertableSet& kind) {
+  auto* item = new QListWidgetItem(kind.name, m_kinds);
+  // Room for the picture, which is painted when the dialog is shown.
+  QPixmap empty(kKindPicture);
+  empty.fill(Qt::transparent);
+  item->setIcon(empty);
+  SetForm* form = kind.makeForm();
   m_forms->addWidget(form);
   connect(form, &SetForm::changed, this, &InsertSetDialog::renew);
+}
+
+void InsertSetDialog::paintKinds() {
+  for (std::size_t i = 0; i < m_known.size(); ++i) {
+    const auto set = m_known[i].usual();
+    if (!set) continue;
+    const QPixmap picture = SetPreview::picture(*set, kKindPicture, palette(), devicePixelRatioF());
+    QIcon icon;
+    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) icon.addPixmap(picture, mode);
+    m_kinds->item(static_cast<int>(i))->setIcon(icon);  // in the colours of the links also while selected
+  }
+}
+
+void InsertSetDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  paintKinds();
+}
+
+void InsertSetDialog::changeEvent(QEvent* event) {
+  QDialog::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && isVisible()) paintKinds();
+}
+
+void InsertSetDialog::choose(const QString& kind) {
+  for (std::size_t i = 0; i < m_known.size(); ++i) {
+    if (kind == QLatin1String(m_known[i].id)) m_kinds->setCurrentRow(static_cast<int>(i));
+  }
 }
 
 const SetForm& InsertSetDialog::form() const {
@@ -183,7 +253,13 @@ void InsertSetDialog::renew() {
     m_preview->setMechanism(emptyMechanism());
     return;
   }
-  QString text = tr("%1 links, %2 joints, %3 meshes").arg(set->n()).arg(set->t()).arg(set->c());
+  const auto counted = [](int count, const QString& one, const QString& many) {
+    return count == 1 ? one : many.arg(count);
+  };
+  QString text = QStringList{counted(set->n(), tr("1 link"), tr("%1 links")),
+                             counted(set->t(), tr("1 joint"), tr("%1 joints")),
+                             counted(set->c(), tr("1 mesh"), tr("%1 meshes"))}
+                     .join(QStringLiteral(", "));
   if (!set->engaged.empty()) text += tr("; brake %1 is engaged").arg(shownText(set->engaged.front().text()));
   if (!set->states.empty())
     text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());

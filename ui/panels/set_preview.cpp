@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"
@@ -44,29 +45,79 @@ QPointF SetPreview::projected(const Vector3& point) const {
   return m_across ? QPointF(point[1], -point[2]) : QPointF(point[0], -point[1]);
 }
 
+std::pair<QPointF, double> SetPreview::pulley(std::size_t mesh, bool tail) const {
+  const MeshGeometry& geometry = *m_placement.meshes[mesh];
+  const GearMesh& belt = m_mechanism.gearMeshes[mesh];
+  const AxisLine& line = m_placement.lineOfClass(tail ? geometry.tailClass : geometry.headClass);
+  const double teeth = tail ? belt.tailTeeth : belt.headTeeth;
+  const std::optional<Number>& diameter = tail ? belt.tailDiameter : belt.headDiameter;
+  double radius = belt.pitch ? belt.pitch->value() * teeth / (2 * std::numbers::pi) : 0;
+  if (diameter) radius = diameter->value() / 2;
+  if (radius == 0) radius = length(geometry.tailToHead) / 3 * teeth / (belt.tailTeeth + belt.headTeeth);
+  return {projected(line.point), radius};
+}
+
 QRectF SetPreview::extent() const {
   QRectF all;
-  for (const auto& mesh : m_placement.meshes) {
+  const auto add = [&](QPointF centre, double radius) {
+    all = all.united(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius));
+  };
+  for (std::size_t i = 0; i < m_placement.meshes.size(); ++i) {
+    const auto& mesh = m_placement.meshes[i];
     if (!mesh) continue;
     for (const bool tail : {true, false}) {
+      if (!touches(mesh->kind)) {
+        const auto [centre, radius] = pulley(i, tail);
+        if (pairKind(mesh->kind).canCross) add(centre, radius);
+        continue;
+      }
       const AxisLine& line = m_placement.lineOfClass(tail ? mesh->tailClass : mesh->headClass);
       const QPointF a = projected(mesh->pitchPoint);
       const QPointF b = projected(mirrored(mesh->pitchPoint, line));
-      const double radius = tail ? mesh->tailPitchRadius() : mesh->headPitchRadius();
-      const QPointF centre = (a + b) / 2;
-      all = all.united(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius));
+      add((a + b) / 2, tail ? mesh->tailPitchRadius() : mesh->headPitchRadius());
     }
   }
   return all;
 }
 
-void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail) const {
+/// Two pulleys and the strands that touch both, crossed or not.
+void SetPreview::paintBelt(QPainter& painter, std::size_t mesh) const {
+  const MeshGeometry& geometry = *m_placement.meshes[mesh];
+  const auto [a, first] = pulley(mesh, true);
+  const auto [b, second] = pulley(mesh, false);
+  QPen pen(qColor(ColorRole::secondary, themeOf(palette())), 1.5);
+  pen.setCosmetic(true);
+  const QPointF way = b - a;
+  const double apart = std::hypot(way.x(), way.y());
+  const double turned = m_mechanism.gearMeshes[mesh].crossed ? -second : second;
+  if (apart > std::abs(first - turned)) {
+    painter.setPen(pen);
+    const double along = (first - turned) / apart;
+    for (const double side : {1.0, -1.0}) {
+      const double across = side * std::sqrt(1 - along * along);
+      const QPointF normal = along * way / apart + across * QPointF(-way.y(), way.x()) / apart;
+      painter.drawLine(a + first * normal, b + turned * normal);
+    }
+  }
+  for (const bool tail : {true, false}) {
+    const auto [centre, radius] = tail ? std::pair(a, first) : std::pair(b, second);
+    pen.setColor(qColor(linkColor(m_mechanism.colorNumber(tail ? geometry.tail : geometry.head))));
+    pen.setWidthF(2.5);
+    QColor fill = pen.color();
+    fill.setAlphaF(0.12F);
+    painter.setPen(pen);
+    painter.setBrush(fill);
+    painter.drawEllipse(centre, radius, radius);
+  }
+}
+
+void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail, double lineWidth) const {
   const int link = tail ? mesh.tail : mesh.head;
   const AxisLine& line = m_placement.lineOfClass(tail ? mesh.tailClass : mesh.headClass);
   const double radius = tail ? mesh.tailPitchRadius() : mesh.headPitchRadius();
   const QPointF a = projected(mesh.pitchPoint);
   const QPointF b = projected(mirrored(mesh.pitchPoint, line));
-  QPen pen(qColor(linkColor(m_mechanism.colorNumber(link))), 2.5);
+  QPen pen(qColor(linkColor(m_mechanism.colorNumber(link))), lineWidth);
   pen.setCosmetic(true);
   painter.setPen(pen);
   const bool isRing = hasRing(mesh.kind) && radius > std::abs(tail ? mesh.headRadius : mesh.tailRadius);
@@ -118,23 +169,46 @@ void SetPreview::paintNames(QPainter& painter) const {
   }
 }
 
-void SetPreview::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
+void SetPreview::paintSet(QPainter& painter, const QRectF& room, double lineWidth) const {
   const QRectF all = extent();
-  if (all.isEmpty()) return;
-  paintNames(painter);
-  const int names = nameRows(m_mechanism.n()) * kNameHeight;
-  const QRectF room = QRectF(rect()).adjusted(12, 12, -12, -20 - names);
   const double scale = std::min(room.width() / all.width(), room.height() / all.height());
+  painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(room.center());
   painter.scale(scale, scale);
   painter.translate(-all.center());
-  for (const auto& mesh : m_placement.meshes) {
+  for (std::size_t i = 0; i < m_placement.meshes.size(); ++i) {
+    const auto& mesh = m_placement.meshes[i];
     if (!mesh) continue;
-    paintWheel(painter, *mesh, true);
-    paintWheel(painter, *mesh, false);
+    if (touches(mesh->kind)) {
+      paintWheel(painter, *mesh, true, lineWidth);
+      paintWheel(painter, *mesh, false, lineWidth);
+    } else if (pairKind(mesh->kind).canCross) {
+      paintBelt(painter, i);
+    }
   }
+}
+
+void SetPreview::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (extent().isEmpty()) return;
+  paintNames(painter);
+  const int names = nameRows(m_mechanism.n()) * kNameHeight;
+  paintSet(painter, QRectF(rect()).adjusted(12, 12, -12, -20 - names), 2.5);
+}
+
+QPixmap SetPreview::picture(const Mechanism& mechanism, QSize size, const QPalette& palette,
+                            double pixelRatio) {
+  QPixmap pixmap((QSizeF(size) * pixelRatio).toSize());
+  pixmap.setDevicePixelRatio(pixelRatio);
+  pixmap.fill(Qt::transparent);
+  SetPreview preview;
+  preview.setPalette(palette);
+  preview.setMechanism(mechanism);
+  if (preview.extent().isEmpty()) return pixmap;
+  QPainter painter(&pixmap);
+  preview.paintSet(painter, QRectF(QPointF(), QSizeF(size)).adjusted(2, 2, -2, -2), 1.5);
+  return pixmap;
 }
 
 }  // namespace geargraph

@@ -7,8 +7,9 @@
 
 namespace geargraph {
 
-/// A preview of a gear set: the pitch circles of gears on parallel axes seen along them, the pitch cones of
-/// bevel gears seen from the side, in the colours of the links, with the links' names.
+/// A preview of a gear set: the pitch circles of gears on parallel axes seen along them, pulleys with their
+/// strands, the pitch cones of bevel gears seen from the side, in the colours of the links, with the links'
+/// names. Pins in holes have no wheels and are left out.
 class SetPreview : public QWidget {
   Q_OBJECT
 
@@ -19,13 +20,21 @@ class SetPreview : public QWidget {
   void setMechanism(const Mechanism& mechanism);
   [[nodiscard]] QSize sizeHint() const override { return {300, 320}; }
 
+  /// The same without names, as a small picture on a transparent ground.
+  [[nodiscard]] static QPixmap picture(const Mechanism& mechanism, QSize size, const QPalette& palette,
+                                       double pixelRatio);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   [[nodiscard]] QPointF projected(const Vector3& point) const;
   [[nodiscard]] QRectF extent() const;
-  void paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail) const;
+  /// Centre and radius of a pulley of the mesh with this position.
+  [[nodiscard]] std::pair<QPointF, double> pulley(std::size_t mesh, bool tail) const;
+  void paintSet(QPainter& painter, const QRectF& room, double lineWidth) const;
+  void paintBelt(QPainter& painter, std::size_t mesh) const;
+  void paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail, double lineWidth) const;
   void paintNames(QPainter& painter) const;
 
   Mechanism m_mechanism;

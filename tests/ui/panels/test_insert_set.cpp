@@ -89,6 +89,7 @@ class InsertSetTest : public QObject {
     const auto worm = kinds->findItems(QStringLiteral("Worm stage"), Qt::MatchExactly);
     QCOMPARE(worm.size(), 1);
     kinds->setCurrentItem(worm.front());
+    QVERIFY(summary().startsWith(QStringLiteral("2 links, 2 joints, 1 mesh\n")));
     QVERIFY(summary().contains(QStringLiteral("One turn of \"worm\" turns \"worm wheel\" by \u22121/40.")));
     insert().click();
     QVERIFY(inserted.has_value());
