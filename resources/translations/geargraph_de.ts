@@ -100,6 +100,30 @@
         <translation>%1 und %2 durch eine Kupplung verbinden</translation>
     </message>
     <message>
+        <source>Select one link, and with Shift the joints and meshes that its new half should take.</source>
+        <translation>Wählen Sie ein Glied und mit Umschalt die Gelenke und Eingriffe, die seine neue Hälfte übernehmen soll.</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 teilen</translation>
+    </message>
+    <message>
+        <source>Select the two links that should be one: click one, then the other with Shift.</source>
+        <translation>Wählen Sie die zwei Glieder, die eines werden sollen: eines anklicken, dann das andere mit Umschalt.</translation>
+    </message>
+    <message>
+        <source>Weld %1 and %2</source>
+        <translation>%1 und %2 verschweißen</translation>
+    </message>
+    <message>
+        <source>Split it in two</source>
+        <translation>In zwei Glieder teilen</translation>
+    </message>
+    <message>
+        <source>Weld %1 and %2 to one link</source>
+        <translation>%1 und %2 zu einem Glied verschweißen</translation>
+    </message>
+    <message>
         <source>hold the link with a brake</source>
         <translation>das Glied mit einer Bremse festhalten</translation>
     </message>
@@ -322,6 +346,14 @@
     <message>
         <source>Draw the first link: L, then click</source>
         <translation>Zeichnen Sie das erste Glied: L, dann klicken</translation>
+    </message>
+    <message>
+        <source>Map of the drawing</source>
+        <translation>Übersicht der Zeichnung</translation>
+    </message>
+    <message>
+        <source>All of the drawing: click or drag to move what is in sight</source>
+        <translation>Die ganze Zeichnung: Klicken oder ziehen Sie, um den sichtbaren Teil zu verschieben</translation>
     </message>
     <message>
         <source>Name</source>
@@ -1347,6 +1379,18 @@
         <translation>1 Glied</translation>
     </message>
     <message>
+        <source>1 mesh</source>
+        <translation>1 Eingriff</translation>
+    </message>
+    <message>
+        <source>%1 joints</source>
+        <translation>%1 Gelenke</translation>
+    </message>
+    <message>
+        <source>1 joint</source>
+        <translation>1 Gelenk</translation>
+    </message>
+    <message>
         <source>%1 links</source>
         <translation>%1 Glieder</translation>
     </message>
@@ -1951,6 +1995,34 @@
         <translation>Ein leeres Blatt mit dem Gestell</translation>
     </message>
     <message>
+        <source>Open an example…</source>
+        <translation>Ein Beispiel öffnen…</translation>
+    </message>
+    <message>
+        <source>All sets: belts, wrists, strain wave, cycloidal and RV reducers, too</source>
+        <translation>Alle Radsätze, auch Riemen, Handgelenke, Wellgetriebe, Zykloid- und RV-Getriebe</translation>
+    </message>
+    <message>
+        <source>More sets…</source>
+        <translation>Weitere Radsätze…</translation>
+    </message>
+    <message>
+        <source>Choose teeth and ratio, and insert it: %1</source>
+        <translation>Zähnezahlen und Übersetzung wählen und einfügen: %1</translation>
+    </message>
+    <message>
+        <source>Draw links and joints by hand: the tool Link, then click on the sheet</source>
+        <translation>Glieder und Gelenke von Hand zeichnen: das Werkzeug Glied, dann auf das Blatt klicken</translation>
+    </message>
+    <message>
+        <source>Draw, or insert a set</source>
+        <translation>Zeichnen oder einen Radsatz einfügen</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Anfangen</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>Öffnen …</translation>
     </message>
@@ -2287,6 +2359,22 @@
         <translation>&amp;Zahnrad anfügen</translation>
     </message>
     <message>
+        <source>A new link takes the selected joints and meshes of the selected link, or the side of the train that was drawn last; both turn about one axis</source>
+        <translation>Ein neues Glied übernimmt die ausgewählten Gelenke und Eingriffe des ausgewählten Glieds oder die zuletzt gezeichnete Seite des Getriebes; beide drehen sich um eine Achse</translation>
+    </message>
+    <message>
+        <source>Sp&amp;lit the link</source>
+        <translation>G&amp;lied teilen</translation>
+    </message>
+    <message>
+        <source>The two selected links become one, which two gear sets then share; axes on one carrier become one line</source>
+        <translation>Die zwei ausgewählten Glieder werden eines, das zwei Radsätze dann teilen; Achsen auf einem Träger werden eine Linie</translation>
+    </message>
+    <message>
+        <source>&amp;Weld links</source>
+        <translation>Glieder ver&amp;schweißen</translation>
+    </message>
+    <message>
         <source>A new gear in mesh with the selected one, on the same carrier</source>
         <translation>Ein neues Rad im Eingriff mit dem ausgewählten, auf demselben Steg</translation>
     </message>
@@ -2323,8 +2411,8 @@
         <translation>Radsatz &amp;einfügen …</translation>
     </message>
     <message>
-        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist</source>
-        <translation>Ein ganzer Planeten-, Ravigneaux- oder Simpson-Satz, ein Differential, eine rückkehrende Stufe, ein Handgelenk</translation>
+        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist, a worm or belt stage, a strain wave, cycloidal or RV reducer</source>
+        <translation>Ein ganzer Planeten-, Ravigneaux- oder Simpson-Satz, ein Differential, ein rückkehrendes Getriebe, ein Handgelenk, eine Schnecken- oder Riemenstufe, ein Wellgetriebe, Zykloid- oder RV-Getriebe</translation>
     </message>
     <message>
         <source>%1 planets</source>
@@ -2385,6 +2473,14 @@
     <message>
         <source>Snap to the &amp;grid</source>
         <translation>Am &amp;Raster einrasten</translation>
+    </message>
+    <message>
+        <source>Names of links and tooth counts beside their numbers, where there is room; lessons and presentations have them on</source>
+        <translation>Namen der Glieder und Zähnezahlen neben ihren Nummern, wo Platz ist; in Lektionen und Präsentationen eingeschaltet</translation>
+    </message>
+    <message>
+        <source>N&amp;ames and teeth</source>
+        <translation>N&amp;amen und Zähnezahlen</translation>
     </message>
     <message>
         <source>Nodes keep to a grid; Alt suspends it</source>
@@ -2541,6 +2637,14 @@
     <message>
         <source>Open e&amp;xample</source>
         <translation>Beis&amp;piel öffnen</translation>
+    </message>
+    <message>
+        <source>The start page with titles, pictures and a sentence about each example</source>
+        <translation>Die Startseite mit Titeln, Bildern und einem Satz zu jedem Beispiel</translation>
+    </message>
+    <message>
+        <source>With pictures…</source>
+        <translation>Mit Bildern…</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -3745,10 +3849,6 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>%1 links, %2 joints, %3 meshes</source>
-        <translation>%1 Glieder, %2 Gelenke, %3 Zahneingriffe</translation>
     </message>
     <message>
         <source>; %1 couplings and %2 states</source>
@@ -10349,6 +10449,58 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>A turning joint needs two different links.</source>
         <translation>Ein Drehgelenk braucht zwei verschiedene Glieder.</translation>
+    </message>
+    <message>
+        <source>To split link %1, choose some of its joints and meshes, and leave others: the new link takes those that you choose.</source>
+        <translation>Um Glied %1 zu teilen, wählen Sie einige seiner Gelenke und Eingriffe und lassen andere: Das neue Glied übernimmt die gewählten.</translation>
+    </message>
+    <message>
+        <source>Link %1 turns on no other link, so that its parts have no axis: draw its joint first.</source>
+        <translation>Glied %1 dreht sich auf keinem anderen Glied, sodass seine Teile keine Achse haben: Zeichnen Sie zuerst sein Gelenk.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no joint, mesh or coupling of link %2.</source>
+        <translation>„%1“ ist kein Gelenk, kein Eingriff und kein Schaltelement von Glied %2.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be split: nothing says about which axis its part turns.</source>
+        <translation>Das Gestell lässt sich nicht teilen: Nichts sagt, um welche Achse sich sein Teil dreht.</translation>
+    </message>
+    <message>
+        <source>A weld needs two different links.</source>
+        <translation>Verschweißen lassen sich nur zwei verschiedene Glieder.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 cannot be one: both wheels of mesh %3 would turn about one axis.</source>
+        <translation>Glied %1 und Glied %2 können nicht eines sein: Beide Räder von Eingriff %3 würden sich um eine Achse drehen.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are in different places of one train, so that links %3 and %4 cannot be one: lay one axis on the other first.</source>
+        <translation>Die Achsen %1 und %2 liegen an verschiedenen Stellen eines Getriebes, sodass Glied %3 und Glied %4 nicht eines sein können: Legen Sie zuerst eine Achse auf die andere.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 have different directions, so that links %3 and %4 cannot be one: lay one axis along the other first.</source>
+        <translation>Die Achsen %1 und %2 haben verschiedene Richtungen, sodass Glied %3 und Glied %4 nicht eines sein können: Legen Sie zuerst eine Achse längs der anderen.</translation>
+    </message>
+    <message>
+        <source>The limits of joints %1 and %2 leave the welded link no angle to turn: change them first.</source>
+        <translation>Die Grenzen der Gelenke %1 und %2 lassen dem verschweißten Glied keinen Drehwinkel: Ändern Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 cannot be one: it would turn about several axes. Links are welded whose joints can lie on one axis.</source>
+        <translation>Glied %1 und Glied %2 können nicht eines sein: Es würde sich um mehrere Achsen drehen. Verschweißt werden Glieder, deren Gelenke auf einer Achse liegen können.</translation>
+    </message>
+    <message>
+        <source>A load or balance is in joint %1, which the weld takes away: remove it first.</source>
+        <translation>In Gelenk %1, das beim Verschweißen wegfällt, wirkt eine Last oder ein Ausgleichsmoment: Entfernen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>The mass of link %1 is stated, and would be that of a part only: remove it before you weld the link.</source>
+        <translation>Die Masse von Glied %1 ist angegeben und wäre nur die eines Teils: Entfernen Sie sie, bevor Sie das Glied verschweißen.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 mesh with each other in mesh %3: delete it before you weld them.</source>
+        <translation>Glied %1 und Glied %2 greifen in Eingriff %3 ineinander: Löschen Sie ihn, bevor Sie die Glieder verschweißen.</translation>
     </message>
     <message>
         <source>A gear mesh needs two different links.</source>

@@ -100,6 +100,30 @@
         <translation>Unir %1 y %2 con un embrague</translation>
     </message>
     <message>
+        <source>Select one link, and with Shift the joints and meshes that its new half should take.</source>
+        <translation>Seleccione un eslabón y, con Mayús, los pares y engranes que ha de tomar su nueva mitad.</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>Dividir %1</translation>
+    </message>
+    <message>
+        <source>Select the two links that should be one: click one, then the other with Shift.</source>
+        <translation>Seleccione los dos eslabones que han de ser uno: haga clic en uno y después en el otro con Mayús.</translation>
+    </message>
+    <message>
+        <source>Weld %1 and %2</source>
+        <translation>Soldar %1 y %2</translation>
+    </message>
+    <message>
+        <source>Split it in two</source>
+        <translation>Dividirlo en dos</translation>
+    </message>
+    <message>
+        <source>Weld %1 and %2 to one link</source>
+        <translation>Soldar %1 y %2 en un eslabón</translation>
+    </message>
+    <message>
         <source>hold the link with a brake</source>
         <translation>retenga el eslabón con un freno</translation>
     </message>
@@ -322,6 +346,14 @@
     <message>
         <source>Draw the first link: L, then click</source>
         <translation>Dibuje el primer eslabón: L y clic</translation>
+    </message>
+    <message>
+        <source>Map of the drawing</source>
+        <translation>Mapa del dibujo</translation>
+    </message>
+    <message>
+        <source>All of the drawing: click or drag to move what is in sight</source>
+        <translation>Todo el dibujo: haga clic o arrastre para mover lo que se ve</translation>
     </message>
     <message>
         <source>Name</source>
@@ -1347,6 +1379,18 @@
         <translation>1 eslabón</translation>
     </message>
     <message>
+        <source>1 mesh</source>
+        <translation>1 engrane</translation>
+    </message>
+    <message>
+        <source>%1 joints</source>
+        <translation>%1 pares</translation>
+    </message>
+    <message>
+        <source>1 joint</source>
+        <translation>1 par</translation>
+    </message>
+    <message>
         <source>%1 links</source>
         <translation>%1 eslabones</translation>
     </message>
@@ -1951,6 +1995,34 @@
         <translation>Una hoja vacía con el bastidor</translation>
     </message>
     <message>
+        <source>Open an example…</source>
+        <translation>Abrir un ejemplo…</translation>
+    </message>
+    <message>
+        <source>All sets: belts, wrists, strain wave, cycloidal and RV reducers, too</source>
+        <translation>Todos los trenes, también correas, muñecas y reductores de onda, cicloidales y RV</translation>
+    </message>
+    <message>
+        <source>More sets…</source>
+        <translation>Más trenes…</translation>
+    </message>
+    <message>
+        <source>Choose teeth and ratio, and insert it: %1</source>
+        <translation>Elegir dientes y relación e insertarlo: %1</translation>
+    </message>
+    <message>
+        <source>Draw links and joints by hand: the tool Link, then click on the sheet</source>
+        <translation>Dibujar eslabones y pares a mano: la herramienta Eslabón y después un clic en la hoja</translation>
+    </message>
+    <message>
+        <source>Draw, or insert a set</source>
+        <translation>Dibujar o insertar un tren</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>Abrir…</translation>
     </message>
@@ -2287,6 +2359,22 @@
         <translation>&amp;Añadir una rueda</translation>
     </message>
     <message>
+        <source>A new link takes the selected joints and meshes of the selected link, or the side of the train that was drawn last; both turn about one axis</source>
+        <translation>Un eslabón nuevo toma los pares y engranes seleccionados del eslabón seleccionado, o el lado del tren dibujado en último lugar; ambos giran en torno a un eje</translation>
+    </message>
+    <message>
+        <source>Sp&amp;lit the link</source>
+        <translation>Di&amp;vidir el eslabón</translation>
+    </message>
+    <message>
+        <source>The two selected links become one, which two gear sets then share; axes on one carrier become one line</source>
+        <translation>Los dos eslabones seleccionados pasan a ser uno, que dos trenes comparten; los ejes sobre un mismo portador pasan a ser una línea</translation>
+    </message>
+    <message>
+        <source>&amp;Weld links</source>
+        <translation>S&amp;oldar eslabones</translation>
+    </message>
+    <message>
         <source>A new gear in mesh with the selected one, on the same carrier</source>
         <translation>Una rueda nueva que engrana con la seleccionada, en el mismo portasatélites</translation>
     </message>
@@ -2323,8 +2411,8 @@
         <translation>&amp;Insertar un tren…</translation>
     </message>
     <message>
-        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist</source>
-        <translation>Un tren epicicloidal, Ravigneaux o Simpson entero, un diferencial, un tren recurrente, una muñeca</translation>
+        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist, a worm or belt stage, a strain wave, cycloidal or RV reducer</source>
+        <translation>Un tren epicicloidal, Ravigneaux o Simpson completo, un diferencial, un tren recurrente, una muñeca, una etapa de tornillo sin fin o de correa, un reductor de onda, cicloidal o RV</translation>
     </message>
     <message>
         <source>%1 planets</source>
@@ -2385,6 +2473,14 @@
     <message>
         <source>Snap to the &amp;grid</source>
         <translation>Ajustar a la c&amp;uadrícula</translation>
+    </message>
+    <message>
+        <source>Names of links and tooth counts beside their numbers, where there is room; lessons and presentations have them on</source>
+        <translation>Nombres de los eslabones y números de dientes junto a sus números, donde hay sitio; en lecciones y presentaciones están activados</translation>
+    </message>
+    <message>
+        <source>N&amp;ames and teeth</source>
+        <translation>Nom&amp;bres y dientes</translation>
     </message>
     <message>
         <source>Nodes keep to a grid; Alt suspends it</source>
@@ -2541,6 +2637,14 @@
     <message>
         <source>Open e&amp;xample</source>
         <translation>Abrir &amp;ejemplo</translation>
+    </message>
+    <message>
+        <source>The start page with titles, pictures and a sentence about each example</source>
+        <translation>La página de inicio con títulos, imágenes y una frase sobre cada ejemplo</translation>
+    </message>
+    <message>
+        <source>With pictures…</source>
+        <translation>Con imágenes…</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -3745,10 +3849,6 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>%1 links, %2 joints, %3 meshes</source>
-        <translation>%1 eslabones, %2 pares, %3 engranes</translation>
     </message>
     <message>
         <source>; %1 couplings and %2 states</source>
@@ -10349,6 +10449,58 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>A turning joint needs two different links.</source>
         <translation>Un par de revolución necesita dos eslabones distintos.</translation>
+    </message>
+    <message>
+        <source>To split link %1, choose some of its joints and meshes, and leave others: the new link takes those that you choose.</source>
+        <translation>Para dividir el eslabón %1, elija algunos de sus pares y engranes y deje otros: el eslabón nuevo toma los elegidos.</translation>
+    </message>
+    <message>
+        <source>Link %1 turns on no other link, so that its parts have no axis: draw its joint first.</source>
+        <translation>El eslabón %1 no gira sobre ningún otro, de modo que sus partes no tienen eje: dibuje primero su par.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no joint, mesh or coupling of link %2.</source>
+        <translation>«%1» no es un par, un engrane ni un acoplamiento del eslabón %2.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be split: nothing says about which axis its part turns.</source>
+        <translation>El bastidor no se puede dividir: nada indica en torno a qué eje gira su parte.</translation>
+    </message>
+    <message>
+        <source>A weld needs two different links.</source>
+        <translation>Para soldar hacen falta dos eslabones distintos.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 cannot be one: both wheels of mesh %3 would turn about one axis.</source>
+        <translation>Los eslabones %1 y %2 no pueden ser uno: las dos ruedas del engrane %3 girarían en torno a un mismo eje.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are in different places of one train, so that links %3 and %4 cannot be one: lay one axis on the other first.</source>
+        <translation>Los ejes %1 y %2 están en lugares distintos de un mismo tren, de modo que los eslabones %3 y %4 no pueden ser uno: disponga primero un eje sobre el otro.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 have different directions, so that links %3 and %4 cannot be one: lay one axis along the other first.</source>
+        <translation>Los ejes %1 y %2 tienen direcciones distintas, de modo que los eslabones %3 y %4 no pueden ser uno: disponga primero un eje a lo largo del otro.</translation>
+    </message>
+    <message>
+        <source>The limits of joints %1 and %2 leave the welded link no angle to turn: change them first.</source>
+        <translation>Los límites de los pares %1 y %2 no dejan ángulo de giro al eslabón soldado: cámbielos primero.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 cannot be one: it would turn about several axes. Links are welded whose joints can lie on one axis.</source>
+        <translation>Los eslabones %1 y %2 no pueden ser uno: giraría en torno a varios ejes. Se sueldan eslabones cuyos pares pueden estar en un mismo eje.</translation>
+    </message>
+    <message>
+        <source>A load or balance is in joint %1, which the weld takes away: remove it first.</source>
+        <translation>En el par %1, que desaparece al soldar, hay una carga o una equilibrante: quítela primero.</translation>
+    </message>
+    <message>
+        <source>The mass of link %1 is stated, and would be that of a part only: remove it before you weld the link.</source>
+        <translation>La masa del eslabón %1 está indicada y sería solo la de una parte: quítela antes de soldar el eslabón.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 mesh with each other in mesh %3: delete it before you weld them.</source>
+        <translation>Los eslabones %1 y %2 engranan entre sí en el engrane %3: elimínelo antes de soldarlos.</translation>
     </message>
     <message>
         <source>A gear mesh needs two different links.</source>

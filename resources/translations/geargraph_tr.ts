@@ -100,6 +100,30 @@
         <translation>%1 ve %2 uzuvlarını kavrama ile bağla</translation>
     </message>
     <message>
+        <source>Select one link, and with Shift the joints and meshes that its new half should take.</source>
+        <translation>Bir uzuv ve Shift ile yeni yarısının alacağı mafsalları ve dişli çiftlerini seçin.</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 bölünsün</translation>
+    </message>
+    <message>
+        <source>Select the two links that should be one: click one, then the other with Shift.</source>
+        <translation>Tek uzuv olacak iki uzvu seçin: birine, sonra Shift ile ötekine tıklayın.</translation>
+    </message>
+    <message>
+        <source>Weld %1 and %2</source>
+        <translation>%1 ile %2 kaynaklansın</translation>
+    </message>
+    <message>
+        <source>Split it in two</source>
+        <translation>İkiye böl</translation>
+    </message>
+    <message>
+        <source>Weld %1 and %2 to one link</source>
+        <translation>%1 ile %2 tek uzuv olsun</translation>
+    </message>
+    <message>
         <source>hold the link with a brake</source>
         <translation>uzvu frenle tutun</translation>
     </message>
@@ -322,6 +346,14 @@
     <message>
         <source>Draw the first link: L, then click</source>
         <translation>İlk uzvu çizin: L, sonra tıklayın</translation>
+    </message>
+    <message>
+        <source>Map of the drawing</source>
+        <translation>Çizimin haritası</translation>
+    </message>
+    <message>
+        <source>All of the drawing: click or drag to move what is in sight</source>
+        <translation>Çizimin tamamı: görünen yeri taşımak için tıklayın ya da sürükleyin</translation>
     </message>
     <message>
         <source>Name</source>
@@ -1346,6 +1378,18 @@
         <translation>1 uzuv</translation>
     </message>
     <message>
+        <source>1 mesh</source>
+        <translation>1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>%1 joints</source>
+        <translation>%1 mafsal</translation>
+    </message>
+    <message>
+        <source>1 joint</source>
+        <translation>1 mafsal</translation>
+    </message>
+    <message>
         <source>%1 links</source>
         <translation>%1 uzuv</translation>
     </message>
@@ -1950,6 +1994,34 @@
         <translation>Üzerinde sabit uzuv olan boş sayfa</translation>
     </message>
     <message>
+        <source>Open an example…</source>
+        <translation>Bir örnek aç…</translation>
+    </message>
+    <message>
+        <source>All sets: belts, wrists, strain wave, cycloidal and RV reducers, too</source>
+        <translation>Tüm takımlar: kayış, bilek, dalga, sikloid ve RV redüktörleri de</translation>
+    </message>
+    <message>
+        <source>More sets…</source>
+        <translation>Diğer takımlar…</translation>
+    </message>
+    <message>
+        <source>Choose teeth and ratio, and insert it: %1</source>
+        <translation>Dişleri ve oranı seçin, ekleyin: %1</translation>
+    </message>
+    <message>
+        <source>Draw links and joints by hand: the tool Link, then click on the sheet</source>
+        <translation>Uzuvları ve mafsalları elle çizin: Uzuv aracı, sonra sayfaya tıklayın</translation>
+    </message>
+    <message>
+        <source>Draw, or insert a set</source>
+        <translation>Çizin ya da bir takım ekleyin</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Başla</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>Aç…</translation>
     </message>
@@ -2286,6 +2358,22 @@
         <translation>Dişli &amp;ekle</translation>
     </message>
     <message>
+        <source>A new link takes the selected joints and meshes of the selected link, or the side of the train that was drawn last; both turn about one axis</source>
+        <translation>Yeni bir uzuv, seçili uzvun seçili mafsallarını ve dişli çiftlerini ya da takımın en son çizilen yanını alır; ikisi aynı eksende döner</translation>
+    </message>
+    <message>
+        <source>Sp&amp;lit the link</source>
+        <translation>Uzvu &amp;böl</translation>
+    </message>
+    <message>
+        <source>The two selected links become one, which two gear sets then share; axes on one carrier become one line</source>
+        <translation>Seçili iki uzuv tek uzuv olur ve iki dişli takımı onu paylaşır; aynı taşıyıcıdaki eksenler tek doğru olur</translation>
+    </message>
+    <message>
+        <source>&amp;Weld links</source>
+        <translation>Uzuvları &amp;kaynakla</translation>
+    </message>
+    <message>
         <source>A new gear in mesh with the selected one, on the same carrier</source>
         <translation>Seçiliyle kavraşan yeni dişli, aynı taşıyıcı üzerinde</translation>
     </message>
@@ -2322,8 +2410,8 @@
         <translation>Takım yer&amp;leştir…</translation>
     </message>
     <message>
-        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist</source>
-        <translation>Bütün bir planet, Ravigneaux veya Simpson takımı, diferansiyel, geri dönüşlü takım, bilek</translation>
+        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist, a worm or belt stage, a strain wave, cycloidal or RV reducer</source>
+        <translation>Tam bir planet, Ravigneaux ya da Simpson takımı, diferansiyel, geri dönüşlü takım, bilek, sonsuz vida ya da kayış kademesi, dalga, sikloid ya da RV redüktör</translation>
     </message>
     <message>
         <source>%1 planets</source>
@@ -2384,6 +2472,14 @@
     <message>
         <source>Snap to the &amp;grid</source>
         <translation>Iz&amp;garaya yakala</translation>
+    </message>
+    <message>
+        <source>Names of links and tooth counts beside their numbers, where there is room; lessons and presentations have them on</source>
+        <translation>Yer olan yerde numaraların yanında uzuv adları ve diş sayıları; derslerde ve sunumlarda açıktır</translation>
+    </message>
+    <message>
+        <source>N&amp;ames and teeth</source>
+        <translation>&amp;Adlar ve diş sayıları</translation>
     </message>
     <message>
         <source>Nodes keep to a grid; Alt suspends it</source>
@@ -2540,6 +2636,14 @@
     <message>
         <source>Open e&amp;xample</source>
         <translation>Ö&amp;rnek aç</translation>
+    </message>
+    <message>
+        <source>The start page with titles, pictures and a sentence about each example</source>
+        <translation>Her örneğin adı, resmi ve bir cümlesiyle başlangıç sayfası</translation>
+    </message>
+    <message>
+        <source>With pictures…</source>
+        <translation>Resimlerle…</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -3744,10 +3848,6 @@
     <message>
         <source>Close</source>
         <translation>Kapat</translation>
-    </message>
-    <message>
-        <source>%1 links, %2 joints, %3 meshes</source>
-        <translation>%1 uzuv, %2 mafsal, %3 dişli çifti</translation>
     </message>
     <message>
         <source>; %1 couplings and %2 states</source>
@@ -10348,6 +10448,58 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>A turning joint needs two different links.</source>
         <translation>Döner mafsal iki ayrı uzuv ister.</translation>
+    </message>
+    <message>
+        <source>To split link %1, choose some of its joints and meshes, and leave others: the new link takes those that you choose.</source>
+        <translation>%1 uzvunu bölmek için bazı mafsallarını ve dişli çiftlerini seçin, ötekileri bırakın: yeni uzuv seçtiklerinizi alır.</translation>
+    </message>
+    <message>
+        <source>Link %1 turns on no other link, so that its parts have no axis: draw its joint first.</source>
+        <translation>%1 uzvu başka bir uzuv üzerinde dönmüyor, bu yüzden parçalarının ekseni yok: önce mafsalını çizin.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no joint, mesh or coupling of link %2.</source>
+        <translation>&quot;%1&quot;, %2 uzvunun mafsalı, dişli çifti ya da kavraması değil.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be split: nothing says about which axis its part turns.</source>
+        <translation>Sabit uzuv bölünemez: parçasının hangi eksende döneceğini gösteren bir şey yok.</translation>
+    </message>
+    <message>
+        <source>A weld needs two different links.</source>
+        <translation>Kaynak için iki farklı uzuv gerekir.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 cannot be one: both wheels of mesh %3 would turn about one axis.</source>
+        <translation>%1 ve %2 uzuvları tek uzuv olamaz: %3 dişli çiftinin iki dişlisi de aynı eksende dönerdi.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 are in different places of one train, so that links %3 and %4 cannot be one: lay one axis on the other first.</source>
+        <translation>%1 ve %2 eksenleri aynı takımın farklı yerlerinde, bu yüzden %3 ve %4 uzuvları tek uzuv olamaz: önce bir ekseni ötekinin üzerine koyun.</translation>
+    </message>
+    <message>
+        <source>Axes %1 and %2 have different directions, so that links %3 and %4 cannot be one: lay one axis along the other first.</source>
+        <translation>%1 ve %2 eksenlerinin doğrultuları farklı, bu yüzden %3 ve %4 uzuvları tek uzuv olamaz: önce bir ekseni ötekinin doğrultusuna koyun.</translation>
+    </message>
+    <message>
+        <source>The limits of joints %1 and %2 leave the welded link no angle to turn: change them first.</source>
+        <translation>%1 ve %2 mafsallarının sınırları kaynaklanan uzva dönecek açı bırakmıyor: önce onları değiştirin.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 cannot be one: it would turn about several axes. Links are welded whose joints can lie on one axis.</source>
+        <translation>%1 ve %2 uzuvları tek uzuv olamaz: birkaç eksende dönerdi. Mafsalları tek eksende olabilen uzuvlar kaynaklanır.</translation>
+    </message>
+    <message>
+        <source>A load or balance is in joint %1, which the weld takes away: remove it first.</source>
+        <translation>Kaynakla kalkacak %1 mafsalında bir yük ya da denge var: önce onu kaldırın.</translation>
+    </message>
+    <message>
+        <source>The mass of link %1 is stated, and would be that of a part only: remove it before you weld the link.</source>
+        <translation>%1 uzvunun kütlesi verilmiş ve yalnız bir parçanınki olurdu: uzvu kaynaklamadan önce kaldırın.</translation>
+    </message>
+    <message>
+        <source>Links %1 and %2 mesh with each other in mesh %3: delete it before you weld them.</source>
+        <translation>%1 ve %2 uzuvları %3 dişli çiftinde birbiriyle çalışıyor: kaynaklamadan önce onu silin.</translation>
     </message>
     <message>
         <source>A gear mesh needs two different links.</source>

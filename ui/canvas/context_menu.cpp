@@ -9,6 +9,7 @@
 #include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/menu_preview.h"
+#include "ui/canvas/weld_edits.h"
 #include "ui/models/axis_choices.h"
 
 namespace geargraph {
@@ -115,6 +116,25 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   addFreewheels(menu, mechanism, one, other, actions);
 }
 
+/// Two links to one, or one to two.
+void fillForWeld(QMenu& menu, const Mechanism& mechanism, const ContextActions& actions) {
+  if (const auto links = linksToWeld(mechanism, actions.selected)) {
+    const QString why = whyNoWeld(mechanism, actions.selected);
+    QAction* entry = add(menu,
+                         tr("Weld %1 and %2 to one link")
+                             .arg(describe(mechanism, {links->first}), describe(mechanism, {links->second})),
+                         "Ctrl+J", actions.weld);
+    entry->setEnabled(why.isEmpty());
+    entry->setToolTip(why);
+    menu.setToolTipsVisible(true);
+    if (why.isEmpty()) MenuPreview::of(menu).add(entry, weldEdit(mechanism, links->first, links->second));
+    return;
+  }
+  // Most links have nothing that could be split off; the menu of the window says why.
+  if (whyNoSplit(mechanism, actions.selected).isEmpty())
+    add(menu, tr("Split it in two"), "Ctrl+Shift+J", actions.split);
+}
+
 void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const ContextActions& actions) {
   const std::optional<MeshKind> kind = actions.kindOf(mesh);
   if (!kind) return;
@@ -148,6 +168,7 @@ void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const Con
   menu.addSeparator();
   fillForBrake(menu, mechanism, link, actions);
   fillForClutch(menu, mechanism, actions);
+  fillForWeld(menu, mechanism, actions);
   addTick(menu, tr("Pin the teeth of its gears"), isPinned(*mechanism.find(link)),
           [pin = actions.pin, link](bool on) { pin(link, on); });
   menu.addSeparator();

@@ -21,6 +21,8 @@ struct ContextActions {
   std::function<void()> makeGround;
   std::function<void()> attachGear;
   std::function<void()> flip;
+  std::function<void()> weld;                       ///< the two selected links
+  std::function<void()> split;                      ///< the selected link
   std::function<void(const ElementId&, bool)> pin;  ///< an axis, a link or a mesh
   std::function<void(AxisId, const AxisChoice&)> placeAxis;
   std::function<void(MeshKind)> setMeshKind;             ///< of the mesh

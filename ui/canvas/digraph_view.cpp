@@ -27,6 +27,10 @@ DigraphView::DigraphView(Document* document, Selection* selection, QWidget* pare
           },
           this, {.superseded = Superseded::delivered})) {
   setAccessibleName(tr("Digraph"));
+  commands().setSight([this] {
+    const QRectF sight = mapToScene(viewport()->rect()).boundingRect();
+    return Extent::spanning({sight.left(), sight.top()}, {sight.right(), sight.bottom()});
+  });
   m_drawings->onAnswer(this, [this](const Drawing& drawing) {
     m_scene->show(drawing.places, drawing.geometry);
     emit redrawn();

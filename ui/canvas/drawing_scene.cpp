@@ -1,6 +1,7 @@
 #include "ui/canvas/drawing_scene.h"
 
 #include <QGraphicsView>
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -23,17 +24,26 @@ std::unordered_set<ElementId> difference(const Emphases& before, const Emphases&
   return changed;
 }
 
+void dropCaptioned(const ElementId& element, const std::vector<Mark>& captions, std::vector<Mark>& marks) {
+  if (element.kind != ElementKind::link) return;
+  const bool has = std::any_of(captions.begin(), captions.end(),
+                               [&](const Mark& caption) { return caption.element == element; });
+  if (has) std::erase_if(marks, [](const Mark& mark) { return mark.role == MarkRole::name; });
+}
+
 }  // namespace
 
 DrawingScene::DrawingScene(QObject* parent)
     : QGraphicsScene(parent),
       m_item(new PartsItem(m_theme)),
       m_overlay(new MarkItem(kPreviewDepth, m_theme)),
-      m_underlay(new MarkItem(-1, m_theme)) {
+      m_underlay(new MarkItem(-1, m_theme)),
+      m_captions(new MarkItem(kLabelDepth, m_theme)) {
   setItemIndexMethod(NoIndex);  // items are never looked up by place
   addItem(m_item);
   addItem(m_overlay);
   addItem(m_underlay);
+  addItem(m_captions);
   setSheet({-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround});
 }
 
@@ -70,13 +80,16 @@ void DrawingScene::beginDrawing() {
   m_item->parts().beginDrawing();
 }
 
+/// A highlighted link shows its name: not twice, where it has a caption.
 void DrawingScene::setPart(const ElementId& element, int depth, std::vector<Mark> marks) {
   ++m_drawnParts;
+  dropCaptioned(element, m_captionMarks, marks);
   repaint(m_item->parts().set(element, depth, std::move(marks)));
 }
 
 void DrawingScene::setElement(const ElementId& element, std::vector<Mark> marks) {
   ++m_drawnParts;
+  dropCaptioned(element, m_captionMarks, marks);
   repaint(m_item->parts().setElement(element, std::move(marks)));
 }
 
@@ -145,12 +158,18 @@ DrawingScene::Draw DrawingScene::drawing() const {
 QRectF DrawingScene::drawnRect() const {
   QRectF drawn = parts().bounds(kHaloDepth);
   if (!m_underlayList.marks.empty()) drawn |= m_underlay->boundingRect();
+  if (!m_captionMarks.empty()) drawn |= m_captions->boundingRect();
   return drawn;
 }
 
 void DrawingScene::setUnderlay(DisplayList underlay) {
   m_underlay->setMarks(underlay.marks);
   m_underlayList = std::move(underlay);
+}
+
+void DrawingScene::setCaptions(std::vector<Mark> captions) {
+  m_captions->setMarks(captions);
+  m_captionMarks = std::move(captions);
 }
 
 void DrawingScene::setOverlay(DisplayList overlay) {

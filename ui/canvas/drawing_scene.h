@@ -50,6 +50,10 @@ class DrawingScene : public QGraphicsScene {
   void setUnderlay(DisplayList underlay);
   [[nodiscard]] const DisplayList& underlay() const { return m_underlayList; }
 
+  /// Sets names and teeth beside the labels of the drawing, which are not hit.
+  void setCaptions(std::vector<Mark> captions);
+  [[nodiscard]] const std::vector<Mark>& captions() const { return m_captionMarks; }
+
   /// Sets marks over the drawing: previews, the rubber band, guides.
   void setOverlay(DisplayList overlay);
 
@@ -84,7 +88,9 @@ class DrawingScene : public QGraphicsScene {
   PartsItem* m_item = nullptr;  ///< owned by the scene, as the next one
   MarkItem* m_overlay = nullptr;
   MarkItem* m_underlay = nullptr;
+  MarkItem* m_captions = nullptr;
   DisplayList m_underlayList;
+  std::vector<Mark> m_captionMarks;
 };
 
 }  // namespace geargraph

@@ -7,11 +7,13 @@
 #include <QScrollBar>
 #include <utility>
 
+#include "core/presentation/drawing/captions.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/context_menu.h"
 #include "ui/canvas/in_place_editor.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
+#include "ui/canvas/weld_edits.h"
 
 namespace geargraph {
 namespace {
@@ -45,6 +47,7 @@ DrawingView::DrawingView(Document* document, Selection* selection, DrawingScene*
   connect(document, &Document::replaced, this, &DrawingView::showAnotherDocument);
   connect(selection, &Selection::selectionChanged, this, &DrawingView::updateEmphases);
   connect(selection, &Selection::hoverChanged, this, &DrawingView::updateEmphases);
+  connect(this, &DrawingView::redrawn, this, &DrawingView::captionLater);
   applyTheme(currentTheme(palette()));
 }
 
@@ -56,13 +59,38 @@ void DrawingView::showDocument() {
       [this](const ElementId& element) { return m_document->elements().contains(element); });
   updateEmphases();
   updateMessage();
+  captionLater();
 }
 
 void DrawingView::showAnotherDocument() {
   m_snapshot.reset();
   forgetDocument();
   showDocument();
+  m_fitsCaptions = true;
   fit();
+}
+
+void DrawingView::setCaptioned(bool on) {
+  if (on == m_isCaptioned) return;
+  m_isCaptioned = on;
+  m_fitsCaptions = true;
+  m_captionTurn.request();
+}
+
+void DrawingView::captionLater() {
+  if (m_isCaptioned) m_captionTurn.request();
+}
+
+void DrawingView::updateCaptions() {
+  std::vector<Mark> captions;
+  if (m_isCaptioned && mechanism().n() <= kMaxCaptionedLinks) {
+    DisplayList drawing = m_scene->underlay();
+    drawing.append(m_scene->drawing()({}));
+    captions = captionsOf(drawing, mechanism(), captionSize());
+  }
+  m_scene->setCaptions(std::move(captions));
+  // Not after every edit: the sheet would move under the mouse.
+  if (std::exchange(m_fitsCaptions, false) && m_fitted && !isDrawing()) fit();
 }
 
 void DrawingView::setSnapshot(const SnapshotPtr& snapshot) {
@@ -144,21 +172,24 @@ QStringList DrawingView::caption() const {
 DisplayList DrawingView::displayList() const {
   DisplayList all = m_scene->underlay();
   all.append(m_areEmphasesBehind ? m_scene->drawing()(wantedHighlight().emphases) : m_scene->displayList());
+  all.marks.insert(all.marks.end(), m_scene->captions().begin(), m_scene->captions().end());
   return all;
 }
 
 void DrawingView::setUnderlay(DisplayList underlay) {
   if (underlay == m_scene->underlay()) return;
   m_scene->setUnderlay(std::move(underlay));
+  captionLater();
   if (m_fitted && !isLoadDragged()) fit();  // else the sheet would move under the mouse that pulls
 }
 
 std::function<DisplayList()> DrawingView::pictureMaker() {
   catchUp();
-  return [underlay = m_scene->underlay(), drawing = m_scene->drawing()] {
+  return [underlay = m_scene->underlay(), drawing = m_scene->drawing(),
+          named = m_isCaptioned ? m_document->mechanism() : nullptr, size = captionSize()] {
     DisplayList all = underlay;
     all.append(drawing({}));
-    return all;
+    return named ? withCaptions(std::move(all), *named, size) : all;
   };
 }
 
@@ -341,6 +372,24 @@ void DrawingView::attachGear() {
   if (!why.isEmpty()) setHint(why);
 }
 
+QString DrawingView::whyNoWeld() const {
+  return geargraph::whyNoWeld(mechanism(), m_selection->selected());
+}
+
+QString DrawingView::whyNoSplit() const {
+  return geargraph::whyNoSplit(mechanism(), m_selection->selected());
+}
+
+void DrawingView::weldSelected() {
+  const QString why = m_commands.weldSelected();
+  if (!why.isEmpty()) setHint(why);
+}
+
+void DrawingView::splitSelected() {
+  const QString why = m_commands.splitSelected();
+  if (!why.isEmpty()) setHint(why);
+}
+
 void DrawingView::toggleInputs() {
   const QString why = m_commands.toggleInputs(m_selection->selected());
   if (!why.isEmpty()) setHint(why);
@@ -410,6 +459,8 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Canv
   actions.addFreewheel = [this](LinkId one, LinkId other) { m_commands.addFreewheel(one, other); };
   actions.engage = [this](ShiftElementId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
   actions.removeCoupling = [this](const ElementId& coupling) { m_commands.removeCoupling(coupling); };
+  actions.weld = [this] { weldSelected(); };
+  actions.split = [this] { splitSelected(); };
   actions.remove = [this] { deleteSelected(); };
   actions.selectAll = [this] { selectAll(); };
   actions.fit = [this] { fit(); };

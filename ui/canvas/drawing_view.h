@@ -11,6 +11,7 @@
 #include "ui/canvas/element_commands.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
+#include "ui/service/turns.h"
 #include "ui/tools/load_tool.h"
 #include "ui/workbench/results_view.h"
 #include "ui/workbench/view_entry.h"
@@ -68,6 +69,10 @@ class DrawingView : public QGraphicsView, public ResultsView {
   [[nodiscard]] QString whyNoLoad() const;
   /// Why no gear can be attached to the one selected link, as a sentence; empty if one can.
   [[nodiscard]] QString whyNoGear() const;
+  /// Why the selected links cannot be welded, or the selected one not be split, as sentences; empty if they
+  /// can.
+  [[nodiscard]] QString whyNoWeld() const;
+  [[nodiscard]] QString whyNoSplit() const;
 
   /// Draws the power bands of a mechanism, and the torques that act on it, for the present state of the
   /// drawing. Thread-safe.
@@ -79,6 +84,10 @@ class DrawingView : public QGraphicsView, public ResultsView {
   void setUnderlay(DisplayList underlay);
   /// Sets additional text for the tooltips of those marks, by element.
   void setUnderlayTips(std::map<ElementId, QString> tips) { m_underlayTips = std::move(tips); }
+  /// Writes names and teeth beside links and meshes, where there is room (drawing/captions.h); pictures of
+  /// the drawing have them too.
+  void setCaptioned(bool on);
+  [[nodiscard]] bool isCaptioned() const { return m_isCaptioned; }
   [[nodiscard]] bool hasUnderlay() const { return !m_scene->underlay().marks.empty(); }
 
   [[nodiscard]] DisplayList displayList() const;  ///< as shown, with highlights
@@ -123,9 +132,11 @@ class DrawingView : public QGraphicsView, public ResultsView {
   void renameSelected();  ///< opens the in-place editor for the one selected link or note
   void attachGear();      ///< a new gear in mesh with the one selected link
   virtual void
-  toggleInputs();      ///< makes the selected joints, or those that carry the selected links, inputs, or not
-  void editLoad();     ///< opens the in-place editor for the torque on the one selected joint or link
-  void toggleBrake();  ///< holds the selected link by a brake, or releases it
+  toggleInputs();       ///< makes the selected joints, or those that carry the selected links, inputs, or not
+  void editLoad();      ///< opens the in-place editor for the torque on the one selected joint or link
+  void weldSelected();  ///< makes the two selected links one
+  void splitSelected();   ///< divides the selected link
+  void toggleBrake();     ///< holds the selected link by a brake, or releases it
   virtual void tidy() {}  ///< computes a new layout, as one undo step
 
  signals:
@@ -191,6 +202,7 @@ class DrawingView : public QGraphicsView, public ResultsView {
   [[nodiscard]] Selection& selection() const { return *m_selection; }
   [[nodiscard]] ElementCommands& commands() { return m_commands; }
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
+  void captionLater();  ///< the marks of the drawing have changed
   void setHint(const QString& hint);
   void setNotice(const QStringList& lines);
   void updateEmphases();
@@ -259,6 +271,9 @@ class DrawingView : public QGraphicsView, public ResultsView {
   };
   [[nodiscard]] QFont lineFont() const;
   [[nodiscard]] LineBox boxOf(const QStringList& lines, Qt::Corner corner) const;
+  void updateCaptions();
+  /// px of names; 0: as large as the numbers of links.
+  [[nodiscard]] virtual double captionSize() const { return 0; }
   void drawLines(QPainter& painter, const LineBox& shown, const std::vector<ColorRole>& colors) const;
   void drawMessage(QPainter& painter, const QString& text) const;
   void fitTo(const QRectF& area);
@@ -282,6 +297,9 @@ class DrawingView : public QGraphicsView, public ResultsView {
   load_tool::State m_load;
   std::optional<LoadDrag> m_loadDrag;
   QString m_hintBeforeLoad;
+  bool m_isCaptioned = false;
+  bool m_fitsCaptions = false;  ///< the next captions may move the sheet
+  CoalescedTask m_captionTurn{this, [this] { updateCaptions(); }};
   bool m_overLoad = false;  ///< a load that can be dragged is under the mouse
   double m_largest = kLargestFit;
   QPointF m_panFrom;

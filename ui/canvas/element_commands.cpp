@@ -14,6 +14,7 @@
 #include "core/theory/states/state_edits.h"
 #include "ui/canvas/brake_edits.h"
 #include "ui/canvas/canvas_edits.h"
+#include "ui/canvas/weld_edits.h"
 
 namespace geargraph {
 namespace {
@@ -22,27 +23,33 @@ QString tr(const char* text) {
   return QCoreApplication::translate("canvas", text);
 }
 
-/// A place next to a link's node with room for another one; nothing where nodes are placed by the program.
-std::optional<CanvasPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
+/// A place next to a link's node with room for another one, in sight where there is one; nothing where nodes
+/// are placed by the program.
+std::optional<CanvasPoint> placeNear(const Mechanism& mechanism, LinkId link, const Extent& sight) {
   constexpr double kDistance = 120;
   constexpr double kRoom = 70;
+  constexpr double kInside = 34;  // a disc with its name
   const auto node = mechanism.view.nodes.find(link);
   if (node == mechanism.view.nodes.end()) return std::nullopt;
-  for (const double distance : {kDistance, 1.6 * kDistance, 2.4 * kDistance}) {
-    for (const auto& [x, y] : {std::pair(1.0, 0.0),
-                               {0.7, -0.7},
-                               {0.7, 0.7},
-                               {0.0, -1.0},
-                               {0.0, 1.0},
-                               {-0.7, -0.7},
-                               {-0.7, 0.7},
-                               {-1.0, 0.0}}) {
-      const CanvasPoint place{node->second.x + x * distance, node->second.y + y * distance};
-      const bool free =
-          std::none_of(mechanism.view.nodes.begin(), mechanism.view.nodes.end(), [&](const auto& other) {
-            return std::hypot(other.second.x - place.x, other.second.y - place.y) < kRoom;
-          });
-      if (free) return place;
+  const Extent inside = sight.grown(-kInside);
+  for (const bool isInSight : {true, false}) {
+    if (isInSight && (inside.halfWidth <= 0 || inside.halfHeight <= 0)) continue;
+    for (const double distance : {kDistance, 0.75 * kDistance, 1.6 * kDistance, 2.4 * kDistance}) {
+      for (const auto& [x, y] : {std::pair(1.0, 0.0),
+                                 {0.7, -0.7},
+                                 {0.7, 0.7},
+                                 {0.0, -1.0},
+                                 {0.0, 1.0},
+                                 {-0.7, -0.7},
+                                 {-0.7, 0.7},
+                                 {-1.0, 0.0}}) {
+        const CanvasPoint place{node->second.x + x * distance, node->second.y + y * distance};
+        const bool free =
+            std::none_of(mechanism.view.nodes.begin(), mechanism.view.nodes.end(), [&](const auto& other) {
+              return std::hypot(other.second.x - place.x, other.second.y - place.y) < kRoom;
+            });
+        if (free && (!isInSight || inside.contains(place))) return place;
+      }
     }
   }
   return CanvasPoint{node->second.x + kDistance, node->second.y};
@@ -107,6 +114,10 @@ QString ElementCommands::setTorque(const ElementId& element, const QString& text
   apply(load >= 0 ? tr("Set load") : tr("Add load"),
         [element, torque](const Mechanism& before) { return withTorque(before, element, *torque); });
   return {};
+}
+
+std::optional<CanvasPoint> ElementCommands::placeBeside(LinkId link) const {
+  return placeNear(*m_document.mechanism(), link, m_sight ? m_sight() : Extent{});
 }
 
 void ElementCommands::apply(const QString& text, Reduce reduce) {
@@ -176,7 +187,7 @@ QString ElementCommands::attachGear(LinkId link) {
   if (!carrying.joint) return tr("No gear can be attached: %1").arg(carrying.why);
   const TurningJoint& joint = *now.find(*carrying.joint);
   const LinkId carrier = joint.head == link ? joint.tail : joint.head;
-  const std::optional<CanvasPoint> at = placeBeside(now, link);
+  const std::optional<CanvasPoint> at = placeBeside(link);
   apply(tr("Attach gear to %1").arg(describe(now, {link})), [link, carrier, at](const Mechanism& mechanism) {
     return withGearAttached(mechanism, link, carrier, at);
   });
@@ -186,6 +197,27 @@ QString ElementCommands::attachGear(LinkId link) {
 
 void ElementCommands::makeGround(LinkId link) {
   apply(tr("Make ground"), [link](const Mechanism& mechanism) { return withGround(mechanism, link); });
+}
+
+QString ElementCommands::weldSelected() {
+  const Mechanism& now = *m_document.mechanism();
+  const std::set<ElementId> selected = m_selection.selected();
+  const QString why = whyNoWeld(now, selected);
+  const auto links = linksToWeld(now, selected);
+  if (!why.isEmpty() || !links) return why;
+  if (m_document.apply(weldEdit(now, links->first, links->second))) m_selection.select({links->first});
+  return {};
+}
+
+QString ElementCommands::splitSelected() {
+  const Mechanism& now = *m_document.mechanism();
+  const std::set<ElementId> selected = m_selection.selected();
+  const QString why = whyNoSplit(now, selected);
+  const std::optional<Split> split = splitOf(now, selected);
+  if (!why.isEmpty() || !split) return why;
+  if (m_document.apply(splitEdit(now, *split, placeBeside(split->link))))
+    m_selection.select({m_document.mechanism()->links.back().id});
+  return {};
 }
 
 void ElementCommands::pin(const ElementId& element, bool pinned) {

@@ -2,7 +2,10 @@
 
 #include <QString>
 
+#include <functional>
+
 #include "core/mechanism/geometry_edits/axis_choice.h"
+#include "core/presentation/drawing/planar.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 
@@ -21,6 +24,10 @@ class ElementCommands {
   /// Both arguments outlive it.
   ElementCommands(Document& document, Selection& selection) : m_document(document), m_selection(selection) {}
 
+  /// Sets what tells the part of the digraph's sheet that is in sight, where new nodes are placed if there is
+  /// room; empty or none: anywhere.
+  void setSight(std::function<Extent()> sight) { m_sight = std::move(sight); }
+
   void selectAll(bool notes);       ///< `notes`: also notes; only the views know if they show these
   void removeSelected(bool notes);  ///< the ground is kept if other elements are selected too
   void flipSelected();              ///< tail and head of the selected arrows exchanged
@@ -29,6 +36,11 @@ class ElementCommands {
   QString toggleInputs(const std::set<ElementId>& elements);
   void rename(LinkId link, const QString& name);
   void makeGround(LinkId link);
+  /// Makes the two selected links one, and selects it. Returns the reason if that is not possible, else an
+  /// empty text.
+  QString weldSelected();
+  /// Divides the selected link, and selects the new one; the same.
+  QString splitSelected();
   /// Adds a link on the same carrier that meshes with this one, and selects it. Returns the reason if that is
   /// not possible, else an empty text.
   QString attachGear(LinkId link);
@@ -55,8 +67,12 @@ class ElementCommands {
  private:
   void apply(const QString& text, Reduce reduce);
 
+  /// A place for a new node beside that of a link.
+  [[nodiscard]] std::optional<CanvasPoint> placeBeside(LinkId link) const;
+
   Document& m_document;
   Selection& m_selection;
+  std::function<Extent()> m_sight;
 };
 
 }  // namespace geargraph

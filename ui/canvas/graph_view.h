@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/presentation/drawing/captions.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/node_sheet.h"
 #include "ui/canvas/tool_controller.h"
@@ -31,6 +32,7 @@ class GraphView : public DrawingView, protected NodeSheet {
   void toggleInputs() override;
 
  protected:
+  [[nodiscard]] double captionSize() const override { return kGraphNameSize; }
   void forgetDocument() override { m_wantedCycle = {}; }
   [[nodiscard]] QString message() const override;
   bool event(QEvent* event) override;

@@ -108,6 +108,7 @@ void TtGraphView::arrived(const Request& request, const TtGraphSheetPtr& sheet) 
   m_shown = request.number;
   if (request.snapshot == snapshot()) m_layout = sheet->layout;
   m_scene->show(sheet);
+  captionLater();
   tellWhatIsMissing();
   updateEmphases();
   updateMessage();

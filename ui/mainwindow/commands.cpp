@@ -267,6 +267,23 @@ std::vector<Command> commandsOfMechanism() {
              return now.isOneLink() ? now.whyNoGear
                                     : words("Select the link that the gear should mesh with.");
            }},
+      {.id = CommandId::weld,
+       .name = "mechanism.weld",
+       .text = words("&Weld links"),
+       .tip = words("The two selected links become one, which two gear sets then share; axes on one carrier "
+                    "become one line"),
+       .keys = {QKeySequence(QStringLiteral("Ctrl+J"))},
+       .searchWords = "merge join combine connect unite fuse rigid one link couple sets",
+       .whyNot = [](const CommandState& now) { return now.whyNoWeld; }},
+      {.id = CommandId::split,
+       .name = "mechanism.split",
+       .text = words("Sp&lit the link"),
+       .tip =
+           words("A new link takes the selected joints and meshes of the selected link, or the side of the "
+                 "train that was drawn last; both turn about one axis"),
+       .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+J"))},
+       .searchWords = "divide separate cut unweld part unmerge two links",
+       .whyNot = [](const CommandState& now) { return now.whyNoSplit; }},
       {.id = CommandId::drive,
        .name = "mechanism.drive",
        .text = words("Dri&ve"),
@@ -310,12 +327,14 @@ std::vector<Command> commandsOfMechanism() {
       {.id = CommandId::insertSet,
        .name = "mechanism.insertSet",
        .text = words("&Insert set…"),
-       .tip =
-           words("A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist"),
+       .tip = words(
+           "A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist, a worm "
+           "or belt stage, a strain wave, cycloidal or RV reducer"),
        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+I"))},
-       .searchWords =
-           "planetary epicyclic differential sun ring carrier reverted worm belt harmonic strain wave "
-           "cycloidal wizard template"},
+       .icon = "set",
+       .searchWords = "ratio teeth planetary epicyclic differential sun ring carrier reverted worm belt "
+                      "harmonic strain wave "
+                      "cycloidal wizard template"},
       {.id = CommandId::findTeeth,
        .name = "mechanism.findTeeth",
        .text = words("Teeth for ratios…"),
@@ -423,6 +442,14 @@ std::vector<Command> commandsOfView() {
        .tip = words("Nodes keep to a grid; Alt suspends it"),
        .keys = {QKeySequence(QStringLiteral("#"))},
        .searchWords = "snap raster align",
+       .isCheckable = true},
+      {.id = CommandId::captions,
+       .name = "view.captions",
+       .text = words("N&ames and teeth"),
+       .tip = words("Names of links and tooth counts beside their numbers, where there is room; lessons and "
+                    "presentations have them on"),
+       .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+L"))},
+       .searchWords = "labels captions tooth counts show names teaching text annotate",
        .isCheckable = true},
       {.id = CommandId::powerFlow,
        .name = "view.powerFlow",

@@ -40,6 +40,8 @@ enum class CommandId {
   flip,
   makeGround,
   attachGear,
+  weld,
+  split,
   drive,
   hold,
   load,
@@ -61,6 +63,7 @@ enum class CommandId {
   half3d,
   presentation,
   grid,
+  captions,
   powerFlow,
   resetLayout,
   play,
@@ -107,6 +110,8 @@ struct CommandState {
   bool areAnswersOpen = true;  ///< no step of a lesson asks for what a view shows
   QString whyNoLoad = {};      ///< why the selection takes no load; empty: it does
   QString whyNoGear = {};      ///< why no gear can be attached to the one selected link
+  QString whyNoWeld = {};      ///< why the selected links cannot be welded
+  QString whyNoSplit = {};     ///< why the selected link cannot be split
   QString whyNoDerivation = {};
   QString whyNoPowerFlow = {};
 

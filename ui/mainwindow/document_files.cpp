@@ -8,6 +8,7 @@
 #include <QFutureWatcher>
 #include <QProgressDialog>
 #include <QPromise>
+#include <QRegularExpression>
 #include <QThreadPool>
 #include <QTimer>
 
@@ -146,6 +147,15 @@ QStringList examplePaths() {
     if (!paths.contains(path)) paths << path;
   }
   return paths;
+}
+
+QString exampleTitle(const QString& path) {
+  constexpr qint64 kHead = 600;  // bytes, in which the name is; reading all examples would take a while
+  QFile file(path);
+  static const QRegularExpression name(QStringLiteral(R"re("name"\s*:\s*"([^"\\]+)")re"));
+  const QString head = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.read(kHead)) : QString();
+  const QRegularExpressionMatch found = name.match(head);
+  return found.hasMatch() ? found.captured(1) : QFileInfo(path).completeBaseName();
 }
 
 QString robotExamplePath() {

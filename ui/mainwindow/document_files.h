@@ -40,5 +40,7 @@ namespace geargraph {
 /// simple to unusual ones.
 [[nodiscard]] QStringList examplePaths();
 [[nodiscard]] QString robotExamplePath();
+/// The title of an example, read off the beginning of its file; the name of the file where it has none.
+[[nodiscard]] QString exampleTitle(const QString& path);
 
 }  // namespace geargraph

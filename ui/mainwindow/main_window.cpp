@@ -13,6 +13,7 @@
 #include "core/mechanism/model/validate.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/drawing_accessible.h"
+#include "ui/canvas/mini_map.h"
 #include "ui/canvas/schematic_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/forces/forces_panel.h"
@@ -96,6 +97,7 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
   addToolBar(m_notices);
   m_notices->renew();
   m_start = new StartPage(this);
+  makeOffer();
   wireActions();
   wireFiles();
   wireViews();
@@ -326,6 +328,10 @@ void MainWindow::wireViews() {
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::onSelectionChanged);
   connect(m_presentation, &Presentation::changed, this, [this](bool on) {
     (*m_actions)[CommandId::presentation]->setChecked(on);
+    // Names are read in a lecture hall; afterwards they are as they were.
+    QAction* captions = (*m_actions)[CommandId::captions];
+    if (on) m_hadCaptions = captions->isChecked();
+    captions->setChecked(on || m_hadCaptions);
     setTheme(themeOf(QApplication::palette()), !on);
   });
   connect(m_presentation, &Presentation::played, this, [this] { view3d().playback().toggle(); });
@@ -344,6 +350,7 @@ void MainWindow::wireViews() {
 }
 
 void MainWindow::wireDrawing(DrawingView* drawing) {
+  new MiniMap(drawing);
   connect(drawing, &DrawingView::toolChanged, this,
           [this](ToolKind tool) { m_actions->tool[static_cast<std::size_t>(tool)]->setChecked(true); });
   connect(drawing, &DrawingView::hintChanged, this, [this, drawing](const QString& hint) {
@@ -428,6 +435,7 @@ void MainWindow::onDocumentChanged() {
   m_views->setMechanism(m_document->mechanism());
   m_status->clearRejection();
   updateCommands();
+  updateOffer();
 }
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {

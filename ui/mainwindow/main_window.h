@@ -66,6 +66,7 @@ class FileWatch;
 class PowerView;
 class Presentation;
 class RecentFiles;
+class SheetOffer;
 class StatusLine;
 class StartPage;
 class ViewDocks;
@@ -167,6 +168,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   /// Passes over panels that are covered by another tab.
   bool focusNextPrevChild(bool next) override;
   void closeEvent(QCloseEvent* event) override;
@@ -210,7 +212,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CommandState commandState();
   void updateCommands();
   void updateTitle();
-  void showInsertSet();
+  void showInsertSet(const QString& kind = {});
+  void makeOffer();
+  /// An empty sheet offers what to begin with, until a tool is picked.
+  void updateOffer();
   void showTab(ResultsView& view);
   void showElement(const ElementId& element);
   void chooseTheme(const std::optional<Theme>& theme);
@@ -252,6 +257,8 @@ class MainWindow : public QMainWindow {
   StatusLine* m_status = nullptr;
   NoticeBar* m_notices = nullptr;
   StartPage* m_start = nullptr;
+  SheetOffer* m_offer = nullptr;
+  QAction* m_transport = nullptr;  ///< of the tool bar
   RecentFiles* m_recent = nullptr;
   SearchField* m_search = nullptr;
   Presentation* m_presentation = nullptr;
@@ -260,7 +267,8 @@ class MainWindow : public QMainWindow {
   bool m_layoutApplied = false;
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
   bool m_areAnswersOpen = true;
-  bool m_isOpened = false;  ///< since the last complete snapshot
+  bool m_hadCaptions = false;  ///< before the presentation
+  bool m_isOpened = false;     ///< since the last complete snapshot
   ExportJobs* m_exportJobs = nullptr;
   PowerView* m_power = nullptr;
   EditCommands* m_commands = nullptr;

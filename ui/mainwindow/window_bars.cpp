@@ -39,6 +39,7 @@ void MainWindow::makeToolBar() {
     const bool isNamed = tool != note && tool->data().toInt() != static_cast<int>(ToolKind::pan);
     if (isNamed) bar->addNamed(tool);
   }
+  bar->addNamed((*m_actions)[CommandId::insertSet]);
   // Without their words the bar holds the longer ones of other languages on a small screen.
   bar->addAction(note);
   bar->addSeparator();
@@ -48,7 +49,9 @@ void MainWindow::makeToolBar() {
   }
   for (auto* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   bar->addSeparator();
-  bar->addWidget(new PlayControls(&view3d().playback(), bar));
+  // One transport in the window: below the 3D picture, and here while that is not in sight.
+  m_transport = bar->addWidget(new PlayControls(&view3d().playback(), bar));
+  view3d().installEventFilter(this);
   auto* gap = new QWidget(bar);
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);
@@ -57,6 +60,13 @@ void MainWindow::makeToolBar() {
   connect(m_search, &SearchField::elementChosen, this, &MainWindow::showElement);
   connect(m_search, &SearchField::rejected, m_status, &StatusLine::showRejection);
   connect(m_search, &SearchField::pageChosen, m_help, &WindowHelp::showPage);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  const bool isShown = event->type() == QEvent::Show;
+  if (m_transport != nullptr && watched == &view3d() && (isShown || event->type() == QEvent::Hide))
+    m_transport->setVisible(!isShown);
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::wireMotion() {

@@ -17,6 +17,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/designer/designer_panel.h"
 #include "ui/designer/hub_panel.h"
+#include "ui/help/search_entries.h"
 #include "ui/help/search_field.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
@@ -28,6 +29,7 @@
 #include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/sheet_offer.h"
 #include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
@@ -71,9 +73,15 @@ void MainWindow::makeMenus() {
   file->addMenu(m_recent);
   QMenu* examples = file->addMenu(tr("Open e&xample"));
   for (const QString& path : examplePaths()) {
-    examples->addAction(QFileInfo(path).completeBaseName(), this,
-                        [this, path] { m_files->openByUser(path); });
+    QAction* example =
+        examples->addAction(exampleTitle(path), this, [this, path] { m_files->openByUser(path); });
+    example->setObjectName(QStringLiteral("example.") + QFileInfo(path).completeBaseName());
+    example->setProperty(kSearchWords, QFileInfo(path).completeBaseName());
   }
+  examples->addSeparator();
+  examples->addAction(tr("With pictures…"), this, [this] { showStartPage(); })
+      ->setToolTip(tr("The start page with titles, pictures and a sentence about each example"));
+  examples->setToolTipsVisible(true);
   file->addSeparator();
   file->addActions(
       a.of({save, saveAs, revert, exportAny, exportMatrix, exportPicture, exportDerivation, exportHandout}));
@@ -92,7 +100,7 @@ void MainWindow::makeMenus() {
   edit->addActions(a.of({rename, selectAll}));
 
   QMenu* view = menu(tr("&View"));
-  view->addActions(a.of({fit, fitSelected, zoomIn, zoomOut, grid}));
+  view->addActions(a.of({fit, fitSelected, zoomIn, zoomOut, grid, captions}));
   view->addSeparator();
   view->addAction(a[powerFlow]);
   QMenu* observers = view->addMenu(tr("Power seen fro&m"));
@@ -110,7 +118,7 @@ void MainWindow::makeMenus() {
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
   mechanism->addSeparator();
-  mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, makeGround}));
+  mechanism->addActions(a.of({flip, drive, load, hold, releaseAll, attachGear, weld, split, makeGround}));
   mechanism->addSeparator();
   mechanism->addActions(a.of({insertSet, findTeeth, designGearbox, hardware, atlas}));
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
@@ -173,13 +181,15 @@ void MainWindow::wireActions() {
     if (kind == ToolKind::load) drawing().editLoad();
   });
   connect(a[flip], &QAction::triggered, this, [this] { drawing().flipSelected(); });
+  connect(a[weld], &QAction::triggered, this, [this] { drawing().weldSelected(); });
+  connect(a[split], &QAction::triggered, this, [this] { drawing().splitSelected(); });
   connect(a[drive], &QAction::triggered, this, [this] { drawing().toggleInputs(); });
   connect(a[hold], &QAction::triggered, this, [this] { drawing().toggleBrake(); });
   connect(a[load], &QAction::triggered, this, [this] { drawing().editLoad(); });
   connect(a[releaseAll], &QAction::triggered, this, [this] { m_document->apply(releaseAllEdit()); });
   connect(a[tidy], &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a[makeGround], &QAction::triggered, m_commands, &EditCommands::makeGround);
-  connect(a[insertSet], &QAction::triggered, this, &MainWindow::showInsertSet);
+  connect(a[insertSet], &QAction::triggered, this, [this] { showInsertSet(); });
   connect(a[findTeeth], &QAction::triggered, this, [this] {
     auto& panel = m_views->get<TeethPanel>();
     m_docks->reveal(panel);
@@ -208,6 +218,12 @@ void MainWindow::wireActions() {
     for (DrawingView* each : m_allDrawings) each->setGrid(on);
   });
   a[grid]->setChecked(savedSetting(QStringLiteral("grid"), false).toBool());
+  connect(a[captions], &QAction::toggled, this, [this](bool on) {
+    for (DrawingView* each : m_allDrawings) each->setCaptioned(on);
+  });
+  connect(a[captions], &QAction::triggered, this,
+          [](bool on) { saveSetting(QStringLiteral("captions"), on); });
+  a[captions]->setChecked(savedSetting(QStringLiteral("captions"), false).toBool());
   connect(a[powerFlow], &QAction::toggled, this, [this](bool on) {
     saveSetting(QStringLiteral("powerFlow"), on);
     m_power->setOn(on);
@@ -301,6 +317,8 @@ CommandState MainWindow::commandState() {
   now.areAnswersOpen = m_areAnswersOpen;
   now.whyNoLoad = drawing().whyNoLoad();
   now.whyNoGear = now.isOneLink() ? drawing().whyNoGear() : QString();
+  now.whyNoWeld = drawing().whyNoWeld();
+  now.whyNoSplit = drawing().whyNoSplit();
   now.whyNoDerivation = m_exports->whyNoDerivation();
   now.whyNoPowerFlow = m_power->unavailableReason();
   return now;
@@ -343,7 +361,25 @@ void MainWindow::showShortcuts() {
   (new ShortcutSheet(*menuBar(), this))->show();
 }
 
-void MainWindow::showInsertSet() {
+void MainWindow::makeOffer() {
+  m_offer = new SheetOffer(&digraph());
+  connect(m_offer, &SheetOffer::drawWanted, m_actions->tool[static_cast<std::size_t>(ToolKind::link)],
+          &QAction::trigger);
+  connect(m_offer, &SheetOffer::setWantedOf, this, &MainWindow::showInsertSet);
+  connect(m_offer, &SheetOffer::examplesWanted, this, [this] { showStartPage(); });
+  connect(m_offer, &SheetOffer::designWanted, (*m_actions)[CommandId::designGearbox], &QAction::trigger);
+  connect(&digraph(), &DrawingView::toolChanged, this, &MainWindow::updateOffer);
+}
+
+void MainWindow::updateOffer() {
+  if (m_offer == nullptr) return;
+  const Mechanism& mechanism = *m_document->mechanism();
+  const bool isEmpty = mechanism.n() == 0 && mechanism.view.notes.empty();
+  m_offer->setWanted(isEmpty && m_lesson == nullptr && !m_files->isReadOnly() &&
+                     digraph().tool() == ToolKind::select);
+}
+
+void MainWindow::showInsertSet(const QString& kind) {
   if (m_insertSet == nullptr) {
     m_insertSet = new InsertSetDialog(this);
     connect(m_insertSet, &InsertSetDialog::insertWanted, this, [this](const Mechanism& set) {
@@ -353,6 +389,7 @@ void MainWindow::showInsertSet() {
     connect(m_insertSet, &InsertSetDialog::designWanted, (*m_actions)[CommandId::designGearbox],
             &QAction::trigger);
   }
+  if (!kind.isEmpty()) m_insertSet->choose(kind);
   m_insertSet->show();
   m_insertSet->raise();
   m_insertSet->activateWindow();

@@ -143,6 +143,8 @@ void MainWindow::makeLesson() {
   lesson->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   m_docks->showOnly({m_lesson, &view3d()});
+  (*m_actions)[CommandId::captions]->setChecked(true);  // names help who learns
+  updateOffer();
   resizeDocks({lesson, m_docks->of(view3d())}, {kLessonWidth, kPictureWidth}, Qt::Horizontal);
   m_lessonWatch = new FileWatch(this);
   connect(m_lessonWatch, &FileWatch::changed, this, [this] {

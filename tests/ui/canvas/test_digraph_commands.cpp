@@ -248,6 +248,43 @@ class DigraphCommandsTest : public QObject {
     QVERIFY(d.mechanism().find(JointId("12")) == nullptr);
   }
 
+  void menuSplitsALinkAndWeldsIt() {
+    ViewDriver d(placedRobot());
+    QVERIFY(entry(*menuAt(d, d.center(3)), "Split it") == nullptr);  // nothing hangs on it that could go
+    const int links = d.mechanism().n();
+    d.selection.select({LinkId("2"), MeshId("16")});
+    entry(*menuAt(d, d.center(2)), "Split it")->trigger();
+    QCOMPARE(d.mechanism().n(), links + 1);
+    const LinkId part = d.mechanism().links.back().id;
+    QCOMPARE(d.mechanism().find(MeshId("16"))->head, part);
+    QCOMPARE(d.selection.selected(), std::set<ElementId>{part});
+    QVERIFY(d.mechanism().view.nodes.contains(part));
+    d.selection.select({LinkId("2"), part});
+    QAction* weld = entry(*menuAt(d, d.center(2)), "Weld link 2");
+    QVERIFY(weld != nullptr && weld->isEnabled());
+    d.view.weldSelected();
+    QCOMPARE(d.mechanism().n(), links);
+    QCOMPARE(d.steps(), 2);
+    d.selection.select({LinkId("5"), LinkId("2")});
+    const auto menu = menuAt(d, d.center(2));
+    QVERIFY(!entry(*menu, "Weld link 2")->isEnabled());
+    QVERIFY(entry(*menu, "Weld link 2")->toolTip().contains("mesh 16"));
+  }
+
+  void newGearsComeIntoSight() {
+    ViewDriver d(placedRobot());
+    d.view.resize(260, 420);
+    d.view.resetZoom();
+    d.view.centerOn(470, 250);
+    QCoreApplication::processEvents();
+    const QRectF sight = d.view.mapToScene(d.view.viewport()->rect()).boundingRect();
+    QVERIFY(sight.contains(470, 250) && !sight.adjusted(20, 20, -20, -20).contains(470 + 120, 250));
+    d.selection.select({LinkId("2")});
+    d.view.attachGear();
+    const CanvasPoint place = d.mechanism().view.nodes.at(d.mechanism().links.back().id);
+    QVERIFY(sight.adjusted(20, 20, -20, -20).contains(place.x, place.y));
+  }
+
   void menuPutsBrakesAndClutchesOn() {
     ViewDriver d(placedRobot());
     entry(*menuAt(d, d.center(3)), "Hold it")->trigger();

@@ -14,7 +14,8 @@ CommandState nothingPossible() {
   CommandState now;
   now.hasSiblings = false;
   now.isTransient = true;
-  now.whyNoLoad = now.whyNoGear = now.whyNoDerivation = now.whyNoPowerFlow = "Not here.";
+  now.whyNoLoad = now.whyNoGear = now.whyNoWeld = now.whyNoSplit = now.whyNoDerivation = now.whyNoPowerFlow =
+      "Not here.";
   return now;
 }
 

@@ -14,6 +14,7 @@
 #include "ui/help/search_field.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/view_docks.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -279,8 +280,10 @@ class WindowSearchTest : public QObject {
     QVERIFY(!window->document().isModified());
   }
 
+  // While the 3D view with its own transport is away.
   void theMotionPlaysFromTheToolBar() {
     Playback& playback = window->view3d().playback();
+    window->docks().of(window->view3d())->hide();
     auto* play = part<QToolButton>("play");
     QTest::mouseClick(play, Qt::LeftButton);
     QVERIFY(playback.isPlaying());
@@ -295,6 +298,7 @@ class WindowSearchTest : public QObject {
 
   void theSliderSetsTheSpeed() {
     Playback& playback = window->view3d().playback();
+    window->docks().of(window->view3d())->hide();
     auto* slider = part<QSlider>("playSpeed");
     auto* shown = part<QLabel>("playSpeedText");
     QCOMPARE(shown->text(), QString("1.0×"));
