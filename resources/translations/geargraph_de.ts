@@ -1088,6 +1088,69 @@
         <translation>Lektionsdatei öffnen …</translation>
     </message>
     <message>
+        <source>Fresh question %1</source>
+        <translation>Neue Frage %1</translation>
+    </message>
+    <message>
+        <source>Where to begin</source>
+        <translation>Wo beginnen</translation>
+    </message>
+    <message>
+        <source>After the lesson “%1” you can answer this.</source>
+        <translation>Nach der Lektion „%1“ können Sie das beantworten.</translation>
+    </message>
+    <message>
+        <source>You have mastered this lesson. Review it from %1 on.</source>
+        <translation>Sie beherrschen diese Lektion. Wiederholen Sie sie ab dem %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right at once</source>
+        <translation>%1 von %2 auf Anhieb richtig</translation>
+    </message>
+    <message>
+        <source>Right at the first check, without a hint; one more is asked as long as some are missing</source>
+        <translation>Richtig bei der ersten Prüfung, ohne Hinweis; solange welche fehlen, kommt eine weitere</translation>
+    </message>
+    <message>
+        <source>Fresh questions</source>
+        <translation>Neue Fragen</translation>
+    </message>
+    <message>
+        <source>Where do I begin?</source>
+        <translation>Wo beginne ich?</translation>
+    </message>
+    <message>
+        <source>A question about each lesson in turn: it ends with the second one that is not right at the first check, and chooses the lesson of the first</source>
+        <translation>Der Reihe nach eine Frage zu jeder Lektion: Der Test endet mit der zweiten, die nicht auf Anhieb richtig ist, und wählt die Lektion der ersten</translation>
+    </message>
+    <message>
+        <source>review due</source>
+        <translation>Wiederholung fällig</translation>
+    </message>
+    <message>
+        <source>questions left</source>
+        <translation>noch Fragen</translation>
+    </message>
+    <message>
+        <source>After the start test: begin with “%1”.</source>
+        <translation>Nach dem Eingangstest: Beginnen Sie mit „%1“.</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Start test</source>
+        <translation>Eingangstest</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to review.</source>
+        <translation>
+            <numerusform>%n zu wiederholen.</numerusform>
+            <numerusform>%n zu wiederholen.</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>A lesson of your own: it is reloaded whenever the file is saved</source>
         <translation>Eine eigene Lektion: Sie wird neu geladen, sooft die Datei gespeichert wird</translation>
     </message>

@@ -1088,6 +1088,69 @@
         <translation>Abrir un archivo de lección…</translation>
     </message>
     <message>
+        <source>Fresh question %1</source>
+        <translation>Pregunta nueva %1</translation>
+    </message>
+    <message>
+        <source>Where to begin</source>
+        <translation>Por dónde empezar</translation>
+    </message>
+    <message>
+        <source>After the lesson “%1” you can answer this.</source>
+        <translation>Después de la lección «%1» puede responder a esto.</translation>
+    </message>
+    <message>
+        <source>You have mastered this lesson. Review it from %1 on.</source>
+        <translation>Domina usted esta lección. Repásela a partir del %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right at once</source>
+        <translation>%1 de %2 bien a la primera</translation>
+    </message>
+    <message>
+        <source>Right at the first check, without a hint; one more is asked as long as some are missing</source>
+        <translation>Bien en la primera comprobación, sin pista; mientras falte alguna se pregunta otra</translation>
+    </message>
+    <message>
+        <source>Fresh questions</source>
+        <translation>Preguntas nuevas</translation>
+    </message>
+    <message>
+        <source>Where do I begin?</source>
+        <translation>¿Por dónde empiezo?</translation>
+    </message>
+    <message>
+        <source>A question about each lesson in turn: it ends with the second one that is not right at the first check, and chooses the lesson of the first</source>
+        <translation>Una pregunta sobre cada lección, por orden: termina con la segunda que no esté bien a la primera y elige la lección de la primera</translation>
+    </message>
+    <message>
+        <source>review due</source>
+        <translation>repaso pendiente</translation>
+    </message>
+    <message>
+        <source>questions left</source>
+        <translation>quedan preguntas</translation>
+    </message>
+    <message>
+        <source>After the start test: begin with “%1”.</source>
+        <translation>Según la prueba inicial: empiece por «%1».</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Repasar</translation>
+    </message>
+    <message>
+        <source>Start test</source>
+        <translation>Prueba inicial</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to review.</source>
+        <translation>
+            <numerusform>%n para repasar.</numerusform>
+            <numerusform>%n para repasar.</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>A lesson of your own: it is reloaded whenever the file is saved</source>
         <translation>Una lección propia: se recarga cada vez que se guarda el archivo</translation>
     </message>

@@ -1088,6 +1088,68 @@
         <translation>Ders dosyası aç…</translation>
     </message>
     <message>
+        <source>Fresh question %1</source>
+        <translation>Yeni soru %1</translation>
+    </message>
+    <message>
+        <source>Where to begin</source>
+        <translation>Nereden başlamalı</translation>
+    </message>
+    <message>
+        <source>After the lesson “%1” you can answer this.</source>
+        <translation>“%1” dersinden sonra bunu yanıtlayabilirsiniz.</translation>
+    </message>
+    <message>
+        <source>You have mastered this lesson. Review it from %1 on.</source>
+        <translation>Bu dersi öğrendiniz. %1 tarihinden başlayarak yineleyin.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right at once</source>
+        <translation>%2 sorudan %1 tanesi hemen doğru</translation>
+    </message>
+    <message>
+        <source>Right at the first check, without a hint; one more is asked as long as some are missing</source>
+        <translation>İlk denetimde, ipucusuz doğru; eksik kaldıkça bir soru daha sorulur</translation>
+    </message>
+    <message>
+        <source>Fresh questions</source>
+        <translation>Yeni sorular</translation>
+    </message>
+    <message>
+        <source>Where do I begin?</source>
+        <translation>Nereden başlayayım?</translation>
+    </message>
+    <message>
+        <source>A question about each lesson in turn: it ends with the second one that is not right at the first check, and chooses the lesson of the first</source>
+        <translation>Sırayla her ders için bir soru: ilk denetimde doğru olmayan ikinci soruyla biter ve ilkinin dersini seçer</translation>
+    </message>
+    <message>
+        <source>review due</source>
+        <translation>yineleme zamanı</translation>
+    </message>
+    <message>
+        <source>questions left</source>
+        <translation>soru kaldı</translation>
+    </message>
+    <message>
+        <source>After the start test: begin with “%1”.</source>
+        <translation>Başlangıç sınavına göre: “%1” ile başlayın.</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Yinele</translation>
+    </message>
+    <message>
+        <source>Start test</source>
+        <translation>Başlangıç sınavı</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to review.</source>
+        <translation>
+            <numerusform>%n ders yinelenecek.</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>A lesson of your own: it is reloaded whenever the file is saved</source>
         <translation>Kendi dersiniz: dosya her kaydedildiğinde yeniden yüklenir</translation>
     </message>

@@ -15,7 +15,7 @@
 namespace geargraph {
 namespace {
 
-enum Role { goalRole = Qt::UserRole + 1, timeRole, pointsRole, completeRole, begunRole };
+enum Role { goalRole = Qt::UserRole + 1, timeRole, pointsRole, completeRole, begunRole, reviewRole };
 
 constexpr int kPadding = 8;
 constexpr int kBadge = 24;  ///< px of the disc with the number or the tick
@@ -108,9 +108,16 @@ CourseDialog::CourseDialog(QWidget* parent)
   auto* own = new QPushButton(tr("Open a lesson file…"), this);
   own->setAutoDefault(false);
   own->setToolTip(tr("A lesson of your own: it is reloaded whenever the file is saved"));
+  auto* test = new QPushButton(tr("Where do I begin?"), this);
+  test->setObjectName(QStringLiteral("courseTest"));
+  test->setAutoDefault(false);
+  test->setToolTip(
+      tr("A question about each lesson in turn: it ends with the second one that is not right at the first "
+         "check, and chooses the lesson of the first"));
   m_start->setObjectName(QStringLiteral("courseStart"));
   m_start->setDefault(true);
   auto* buttons = new QHBoxLayout;
+  buttons->addWidget(test);
   buttons->addWidget(own);
   buttons->addStretch(1);
   buttons->addWidget(m_start);
@@ -124,6 +131,10 @@ CourseDialog::CourseDialog(QWidget* parent)
   connect(m_list, &QListView::activated, this, [this](const QModelIndex& row) { choose(row.row()); });
   connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &CourseDialog::updateButton);
   connect(m_start, &QPushButton::clicked, this, [this] { choose(m_list->currentIndex().row()); });
+  connect(test, &QPushButton::clicked, this, [this] {
+    hide();
+    emit testWanted();
+  });
   connect(own, &QPushButton::clicked, this, &CourseDialog::fileWanted);
   renew();
 }
@@ -135,6 +146,8 @@ void CourseDialog::renew() {
   int left = 0;
   int done = 0;
   int next = -1;
+  int toReview = 0;
+  const QDate today = QDate::currentDate();
   for (const Lesson& lesson : course()) {
     const LessonProgress progress = progressOf(lesson);
     const int most = kStepPoints * static_cast<int>(lesson.steps.size());
@@ -142,8 +155,13 @@ void CourseDialog::renew() {
     row->setData(QString::fromStdString(lesson.goal), goalRole);
     row->setData(tr("%1 min").arg(lesson.minutes), timeRole);
     const bool isBegun = progress.doneSteps() > 0;
+    const ReviewState review = reviewStateOf(lesson, today);
+    toReview += review == ReviewState::due ? 1 : 0;
+    row->setData(static_cast<int>(review), reviewRole);
     if (isBegun)
-      row->setData(progress.isComplete()
+      row->setData(review == ReviewState::due         ? tr("review due")
+                   : review == ReviewState::freshLeft ? tr("questions left")
+                   : progress.isComplete()
                        ? tr("%1 of %2 points").arg(progress.score()).arg(most)
                        : tr("step %1 of %2").arg(progress.step + 1).arg(lesson.steps.size()),
                    pointsRole);
@@ -159,11 +177,22 @@ void CourseDialog::renew() {
     }
     m_model->appendRow(row);
   }
-  m_summary->setText(tr("%1 lessons, %2 min. %3 done, about %4 min to go.")
-                         .arg(m_model->rowCount())
-                         .arg(minutes)
-                         .arg(done)
-                         .arg(left));
+  QString summary = tr("%1 lessons, %2 min. %3 done, about %4 min to go.")
+                        .arg(m_model->rowCount())
+                        .arg(minutes)
+                        .arg(done)
+                        .arg(left);
+  if (toReview > 0) summary += QLatin1Char(' ') + tr("%n to review.", nullptr, toReview);
+  if (const auto first = lessonToBeginWith(course())) {
+    const Lesson& lesson = course()[*first];
+    if (!progressOf(lesson).isComplete()) {
+      next = static_cast<int>(*first);
+      summary +=
+          QLatin1Char(' ') +
+          tr("After the start test: begin with \u201c%1\u201d.").arg(QString::fromStdString(lesson.title));
+    }
+  }
+  m_summary->setText(summary);
   m_list->setCurrentIndex(m_model->index(chosen >= 0 ? chosen : std::max(next, 0), 0));
   updateButton();
 }
@@ -171,9 +200,12 @@ void CourseDialog::renew() {
 void CourseDialog::updateButton() {
   const QModelIndex row = m_list->currentIndex();
   m_start->setEnabled(row.isValid());
-  m_start->setText(row.data(completeRole).toBool() ? tr("Repeat")
-                   : row.data(begunRole).toBool()  ? tr("Continue")
-                                                   : tr("Start"));
+  const auto review = static_cast<ReviewState>(row.data(reviewRole).toInt());
+  m_start->setText(review == ReviewState::due         ? tr("Review")
+                   : review == ReviewState::freshLeft ? tr("Continue")
+                   : row.data(completeRole).toBool()  ? tr("Repeat")
+                   : row.data(begunRole).toBool()     ? tr("Continue")
+                                                      : tr("Start"));
 }
 
 void CourseDialog::choose(int lesson) {

@@ -12,7 +12,7 @@ class QStandardItemModel;
 namespace geargraph {
 
 /// The bundled lessons with their goals, durations and the learner's progress. A double click, or Return,
-/// starts or continues one.
+/// starts, continues or reviews one.
 class CourseDialog : public QDialog {
   Q_OBJECT
 
@@ -25,6 +25,7 @@ class CourseDialog : public QDialog {
 
  signals:
   void lessonChosen(int lesson);  ///< by its position in the course
+  void testWanted();              ///< that tells where to begin
   void fileWanted();
 
  private:

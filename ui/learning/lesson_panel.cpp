@@ -13,6 +13,7 @@
 
 #include "core/foundations/base/translation.h"
 #include "core/mechanism/model/difference.h"
+#include "core/teaching/lessons/mastery.h"
 #include "ui/learning/answer_form.h"
 #include "ui/learning/lesson_words.h"
 #include "ui/reading/derivation_view.h"
@@ -218,17 +219,61 @@ QString LessonPanel::resultText() const {
   return m_result->text();
 }
 
-void LessonPanel::play(const LessonPtr& lesson, const QString& place) {
-  m_lesson = lesson;
-  m_place = place;
+bool LessonPanel::isFresh() const {
+  return m_progress.step >= static_cast<int>(m_played->steps.size());
+}
+
+bool LessonPanel::isStartTest() const {
+  return m_played->id == kStartTestId;
+}
+
+/// Fresh questions that were right at the first check.
+int LessonPanel::cleanFresh() const {
+  const auto own = static_cast<std::ptrdiff_t>(m_played->steps.size());
+  return static_cast<int>(std::count(m_progress.points.begin() + own, m_progress.points.end(), kStepPoints));
+}
+
+bool LessonPanel::asksMore() const {
+  return !isPractice() && !isStartTest() && !practiceOf(*m_played).empty() && cleanFresh() < kFreshQuestions;
+}
+
+/// The first ones, or one more.
+void LessonPanel::addFresh() {
+  const auto own = m_played->steps.size();
+  const int missing = m_lesson->steps.size() == own ? kFreshQuestions : 1;
+  Lesson longer = *m_lesson;
+  for (int i = 0; i < missing; ++i) {
+    const auto number = static_cast<int>(longer.steps.size() - own);
+    longer = withFreshStep(std::move(longer), m_seed, number);
+    m_progress.points.push_back(kNotDone);
+  }
+  m_lesson = std::make_shared<const Lesson>(std::move(longer));
+}
+
+void LessonPanel::setLesson(const LessonPtr& lesson) {
+  m_played = m_lesson = lesson;
+  m_seed = randomSeed();
   m_progress = progressOf(*lesson);
+  if (isStartTest()) {
+    m_progress.step = 0;
+    std::fill(m_progress.points.begin(), m_progress.points.end(), kNotDone);
+    saveProgress(*lesson, m_progress);
+  }
+}
+
+void LessonPanel::play(const LessonPtr& lesson, const QString& place) {
+  m_place = place;
+  setLesson(lesson);
+  if (lesson->isReview && asksMore()) {
+    m_progress.step = static_cast<int>(lesson->steps.size());
+    addFresh();
+  }
   begin();
 }
 
 void LessonPanel::reload(const LessonPtr& lesson) {
   const int step = m_progress.step;
-  m_lesson = lesson;
-  m_progress = progressOf(*lesson);
+  setLesson(lesson);
   m_progress.step = std::min(step, static_cast<int>(lesson->steps.size()) - 1);
   begin();
 }
@@ -294,7 +339,7 @@ void LessonPanel::takeMechanism(const MechanismPtr& mechanism) {
 }
 
 void LessonPanel::check() {
-  if (m_state == State::right || m_state == State::shown) return next();
+  if (m_state == State::right || m_state == State::shown) return goOn();
   if (m_state == State::wrong && !isDrawing()) {
     m_form->focusFirst();
     return setState(State::open);
@@ -328,11 +373,18 @@ void LessonPanel::grade(const Verdict& verdict) {
 
 void LessonPanel::finish(State state, int points, const QString& text) {
   int& kept = m_progress.points[static_cast<std::size_t>(m_progress.step)];
+  const bool wasMastered = cleanFresh() >= kFreshQuestions;
   kept = std::max(kept, points);
   saveProgress(*m_lesson, m_progress);
-  setResult(text, state == State::right);
-  updateHead();
+  QString told = text;
+  if (!wasMastered && cleanFresh() >= kFreshQuestions) {
+    saveMastered(*m_played, QDate::currentDate());
+    told += QLatin1Char('\n') + tr("You have mastered this lesson. Review it from %1 on.")
+                                    .arg(locale().toString(masteryOf(*m_played).due(), QLocale::LongFormat));
+  }
   setState(state);
+  setResult(told, state == State::right);
+  updateHead();
   m_check->setFocus();
 }
 
@@ -359,6 +411,21 @@ void LessonPanel::showSolution() {
 
 void LessonPanel::back() {
   if (m_progress.step > 0) goTo(m_progress.step - 1);
+}
+
+/// From a step that is solved: also to fresh questions. The start test ends with the second miss: then it is
+/// known where to begin.
+void LessonPanel::goOn() {
+  const bool isLast = m_progress.step + 1 == static_cast<int>(m_lesson->steps.size());
+  constexpr int kMostMisses = 2;
+  const auto misses = std::count_if(m_progress.points.begin(), m_progress.points.end(),
+                                    [](int each) { return each != kNotDone && each != kStepPoints; });
+  if (isStartTest() && misses >= kMostMisses) return emit nextLessonWanted();
+  if (isLast && asksMore()) {
+    addFresh();
+    return goTo(m_progress.step + 1);
+  }
+  next();
 }
 
 void LessonPanel::next() {
@@ -389,7 +456,15 @@ void LessonPanel::updateHead() {
   m_title->setText(QString::fromStdString(m_lesson->title));
   m_bar->setSteps(m_progress);
   const auto steps = static_cast<int>(m_lesson->steps.size());
-  m_stepLabel->setText(tr("Step %1 of %2").arg(m_progress.step + 1).arg(steps));
+  if (isFresh()) {
+    m_stepLabel->setText(
+        tr("Fresh question %1").arg(m_progress.step + 1 - static_cast<int>(m_played->steps.size())));
+    m_score->setText(tr("%1 of %2 right at once").arg(cleanFresh()).arg(kFreshQuestions));
+    m_score->setToolTip(
+        tr("Right at the first check, without a hint; one more is asked as long as some are missing"));
+    return;
+  }
+  m_stepLabel->setText(tr("Step %1 of %2").arg(m_progress.step + 1).arg(m_played->steps.size()));
   m_score->setText(tr("Score %1 of %2").arg(m_progress.score()).arg(steps * kStepPoints));
 }
 
@@ -397,7 +472,9 @@ void LessonPanel::updateButtons() {
   const bool isSolved = m_state == State::right || m_state == State::shown;
   const bool isOpen = m_state == State::open || m_state == State::wrong;
   const bool isLast = m_lesson && m_progress.step + 1 == static_cast<int>(m_lesson->steps.size());
-  m_check->setText(isSolved                                  ? (isLast ? tr("Finish") : tr("Next"))
+  const bool goesOn = !isLast || (m_lesson && asksMore());
+  m_check->setText(isSolved
+                       ? (goesOn ? (isLast && !isFresh() ? tr("Fresh questions") : tr("Next")) : tr("Finish"))
                    : m_state == State::wrong && !isDrawing() ? tr("Try again")
                                                              : tr("Check"));
   m_check->setEnabled(isOpen || isSolved);

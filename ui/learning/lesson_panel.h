@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cstdint>
 #include <optional>
 
 #include "ui/document/document.h"
@@ -26,7 +27,8 @@ class StepBar;
 
 /// Plays a lesson step by step on the document of a window of its own: text, task, answer, hints, and the
 /// reason when the answer is wrong. Each step begins with its mechanism; the elements of a task are
-/// highlighted by the shared selection. Progress is stored in the settings.
+/// highlighted by the shared selection. After the last step come fresh questions, further ones until enough
+/// were right at the first check. Progress is stored in the settings.
 class LessonPanel : public QWidget, public ResultsView {
   Q_OBJECT
 
@@ -45,9 +47,15 @@ class LessonPanel : public QWidget, public ResultsView {
   void showFault(const QString& fault);
   void goTo(int step);
 
+  /// With the fresh questions that were added to it.
   [[nodiscard]] const LessonPtr& lesson() const { return m_lesson; }
+  /// As it was given to play().
+  [[nodiscard]] const LessonPtr& playedLesson() const { return m_played; }
   /// Is it a practice with questions of a sheet, not an authored lesson?
   [[nodiscard]] bool isPractice() const { return m_lesson->id.empty(); }
+  /// Does the step ask a fresh question, after those of the lesson itself?
+  [[nodiscard]] bool isFresh() const;
+  [[nodiscard]] bool isStartTest() const;
   [[nodiscard]] int step() const { return m_progress.step; }
   [[nodiscard]] State state() const { return m_state; }
   [[nodiscard]] const LessonProgress& progress() const { return m_progress; }
@@ -79,7 +87,12 @@ class LessonPanel : public QWidget, public ResultsView {
                           void (LessonPanel::*slot)());
   [[nodiscard]] const LessonStep& current() const;
   [[nodiscard]] bool isDrawing() const;
+  void setLesson(const LessonPtr& lesson);
   void begin();
+  void goOn();
+  [[nodiscard]] int cleanFresh() const;
+  [[nodiscard]] bool asksMore() const;
+  void addFresh();
   void onAnswer(const LessonAnswerPtr& answer);
   void showStep(const PreparedStep& prepared);
   void takeMechanism(const MechanismPtr& mechanism);
@@ -94,7 +107,9 @@ class LessonPanel : public QWidget, public ResultsView {
   Document* m_document;
   Selection* m_selection;
   LessonService* m_service;
-  LessonPtr m_lesson;
+  LessonPtr m_played;
+  LessonPtr m_lesson;  ///< with fresh questions
+  std::uint64_t m_seed = 0;
   LessonProgress m_progress;
   QString m_place;
   std::optional<PreparedStep> m_prepared;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QDate>
+#include <optional>
 #include <vector>
 
 #include "core/teaching/lessons/lesson.h"
@@ -22,5 +24,26 @@ struct LessonProgress {
 /// The stored progress, adapted to the present number of steps.
 [[nodiscard]] LessonProgress progressOf(const Lesson& lesson);
 void saveProgress(const Lesson& lesson, const LessonProgress& progress);
+
+/// When the fresh questions of a lesson were right last, and in how many reviews.
+struct LessonMastery {
+  QDate on;       ///< invalid: never
+  int times = 0;  ///< reviews that came when they were due, and the first time
+
+  [[nodiscard]] bool isMastered() const { return on.isValid(); }
+  /// The day from which on it should be reviewed: after 1, 3, 7, 21, then each time 60 days.
+  [[nodiscard]] QDate due() const;
+};
+[[nodiscard]] LessonMastery masteryOf(const Lesson& lesson);
+/// A review before it is due does not count, and moves nothing.
+void saveMastered(const Lesson& lesson, const QDate& today);
+
+/// What a lesson whose own steps are done still asks for.
+enum class ReviewState { none, freshLeft, due };
+[[nodiscard]] ReviewState reviewStateOf(const Lesson& lesson, const QDate& today);
+
+/// The position of the lesson with which to begin by the stored answers of the start test; std::nullopt
+/// without answers, or if all were right at the first check.
+[[nodiscard]] std::optional<std::size_t> lessonToBeginWith(const std::vector<Lesson>& lessons);
 
 }  // namespace geargraph

@@ -10,6 +10,7 @@
 #include "core/foundations/files/file.h"
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_reader.h"
+#include "core/teaching/lessons/mastery.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/learning/course_dialog.h"
 #include "ui/learning/exercises_dialog.h"
@@ -62,7 +63,13 @@ void MainWindow::showCourse() {
     m_course = new CourseDialog(this);
     connect(m_course, &CourseDialog::lessonChosen, this, [this](int lesson) {
       const auto position = static_cast<std::size_t>(lesson);
-      wantLesson(lessonOfCourse(position), placeInCourse(position), QString());
+      Lesson wanted = course()[position];
+      wanted.isReview = reviewStateOf(wanted, QDate::currentDate()) != ReviewState::none;
+      wantLesson(std::make_shared<const Lesson>(std::move(wanted)), placeInCourse(position), QString());
+    });
+    connect(m_course, &CourseDialog::testWanted, this, [this] {
+      wantLesson(std::make_shared<const Lesson>(startTest(course(), randomSeed()).lesson), tr("Start test"),
+                 QString());
     });
     connect(m_course, &CourseDialog::fileWanted, this, &MainWindow::chooseLessonFile);
   } else {
@@ -194,13 +201,14 @@ void MainWindow::playNextLesson() {
 
 /// From its step on: the lesson begins the step anew.
 void MainWindow::resumeLesson(const MainWindow& former) {
-  const auto& lesson = former.m_lesson->lesson();
+  const auto& lesson = former.m_lesson->playedLesson();
   const auto& lessons = course();
   const auto found =
       std::find_if(lessons.begin(), lessons.end(), [&](const Lesson& each) { return each.id == lesson->id; });
   const bool isOfCourse = found != lessons.end() && former.m_lessonFile.isEmpty();
   playLesson(lesson,
-             isOfCourse ? placeInCourse(static_cast<std::size_t>(found - lessons.begin()))
+             former.m_lesson->isStartTest() ? tr("Start test")
+             : isOfCourse                   ? placeInCourse(static_cast<std::size_t>(found - lessons.begin()))
              : former.m_lesson->isPractice() ? QString()
                                              : tr("Preview"),
              former.m_lessonFile);

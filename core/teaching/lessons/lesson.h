@@ -142,6 +142,12 @@ struct LessonStep {
   LessonTask task;
 };
 
+/// What fresh questions about a lesson are made of.
+struct PracticeTask {
+  ExerciseKind kind = ExerciseKind::incidence;
+  LessonDocument document;
+};
+
 /// A lesson: an immutable value. checkLesson() tests whether its tasks can be solved.
 struct Lesson {
   std::string id;  ///< "cycle-basis": key of the stored progress; empty: none is stored
@@ -150,6 +156,8 @@ struct Lesson {
   std::string goal;                ///< what the learner can do afterwards: "fill in a row of C"
   std::vector<std::string> terms;  ///< names of the glossary
   std::vector<LessonStep> steps;
+  std::vector<PracticeTask> practice;  ///< empty: as its exercise steps (practiceOf())
+  bool isReview = false;               ///< begins with its fresh questions; never in a lesson's file
 };
 
 constexpr int kMaxLessonWords = 60;  ///< of a step's text

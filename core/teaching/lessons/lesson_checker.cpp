@@ -4,6 +4,7 @@
 
 #include "core/foundations/base/translation.h"
 #include "core/teaching/derivation/glossary.h"
+#include "core/teaching/lessons/mastery.h"
 
 namespace geargraph {
 namespace {
@@ -16,6 +17,7 @@ class LessonChecker {
   Diagnostics check() {
     checkTerms();
     for (std::size_t i = 0; i < m_lesson.steps.size() && !m_stop.stop_requested(); ++i) checkStep(i);
+    if (!m_stop.stop_requested()) checkPractice();
     return m_stop.stop_requested() ? Diagnostics() : std::move(m_diagnostics);
   }
 
@@ -45,6 +47,20 @@ class LessonChecker {
     if (!grade(question, question.solution).isRight)
       find(pointer, translated("The solution is not accepted."));
     if (const auto* answer = std::get_if<AnswerTask>(&step.task)) checkMistakes(*answer, question, pointer);
+  }
+
+  /// Those that the file lists; the others are exercises of steps.
+  void checkPractice() {
+    for (std::size_t i = 0; i < m_lesson.practice.size(); ++i) {
+      Lesson one = m_lesson;
+      one.steps = {freshStep(m_lesson, 1, static_cast<int>(i))};
+      const auto prepared = prepareStep(one, 0, m_examples, m_stop);
+      if (prepared) continue;
+      for (Diagnostic diagnostic : prepared.error()) {
+        diagnostic.pointer = "/practice/" + std::to_string(i);
+        m_diagnostics.push_back(std::move(diagnostic));
+      }
+    }
   }
 
   void checkMistakes(const AnswerTask& task, const Question& question, const std::string& pointer) {

@@ -63,7 +63,7 @@ class LessonReader {
     if (m_reader.fault()) return lesson;
     checkMembers(m_reader, m_root, "",
                  {"$schema", "format", "version", "id", "title", "minutes", "goal", "terms", "example",
-                  "document", "steps"});
+                  "document", "steps", "practice"});
     lesson.id = m_reader.text(m_root, "id", "");
     if (!isLessonId(lesson.id))
       m_reader.fail(
@@ -80,10 +80,26 @@ class LessonReader {
     });
     if (lesson.steps.empty() || lesson.steps.size() > kMaxLessonSteps)
       m_reader.fail("/steps", translated("A lesson has 1 to %1 steps.", {std::to_string(kMaxLessonSteps)}));
+    m_reader.each(m_root, "practice", "", false, [&](const JsonValue& task, const std::string& pointer) {
+      if (!m_reader.fault()) lesson.practice.push_back(readPractice(task, pointer, common));
+    });
     return lesson;
   }
 
  private:
+  PracticeTask readPractice(const JsonValue& object, const std::string& pointer,
+                            const LessonDocument& common) {
+    PracticeTask task;
+    checkMembers(m_reader, object, pointer, {"exercise", "example", "document"});
+    const std::string name = m_reader.text(object, "exercise", pointer);
+    const auto kind = kindFromName(name);
+    if (!kind && !m_reader.fault())
+      m_reader.fail(pointer + "/exercise", translated("There is no kind of question \"%1\".", {name}));
+    task.kind = kind.value_or(ExerciseKind::incidence);
+    task.document = documentOr(object, pointer, common);
+    return task;
+  }
+
   LessonDocument documentOf(const JsonValue& object, const std::string& pointer) {
     if (m_reader.fault() || !object.is(JsonKind::object)) return {};
     const bool hasExample = object.member("example").has_value();
@@ -91,6 +107,17 @@ class LessonReader {
       m_reader.fail(pointer + "/document",
                     translated("Either an example is named or a document is given, not both."));
     return readDocument(m_reader, object, hasExample ? "example" : "document", pointer);
+  }
+
+  /// That of a part of the lesson, or of the lesson.
+  LessonDocument documentOr(const JsonValue& object, const std::string& pointer,
+                            const LessonDocument& common) {
+    LessonDocument document = documentOf(object, pointer);
+    if (document.example.empty() && !document.mechanism) document = common;
+    if (document.example.empty() && !document.mechanism)
+      m_reader.fail(pointer,
+                    translated("Neither the step nor its lesson names an example or gives a document."));
+    return document;
   }
 
   /// "5", or nothing.
@@ -122,11 +149,7 @@ class LessonReader {
     step.formula = m_reader.text(object, "formula", pointer, false);
     step.equation = readEquation(object, pointer);
     step.view = readView(m_reader, object, pointer);
-    step.document = documentOf(object, pointer);
-    if (step.document.example.empty() && !step.document.mechanism) step.document = common;
-    if (step.document.example.empty() && !step.document.mechanism)
-      m_reader.fail(pointer,
-                    translated("Neither the step nor its lesson names an example or gives a document."));
+    step.document = documentOr(object, pointer, common);
     if (!m_reader.fault()) step.elements = m_reader.elements(object, pointer);
     step.hints = m_reader.texts(object, "hints", pointer, true);
     if (step.hints.empty()) m_reader.fail(pointer + "/hints", translated("A step gives at least one hint."));

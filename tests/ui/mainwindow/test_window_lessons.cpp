@@ -14,6 +14,7 @@
 #include "core/teaching/grading/wrong_answers.h"
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_checker.h"
+#include "core/teaching/lessons/mastery.h"
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
@@ -23,6 +24,7 @@
 #include "ui/learning/lesson_panel.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_actions.h"
+#include "ui/settings/settings.h"
 
 namespace geargraph {
 
@@ -285,6 +287,98 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
       if (i + 1 < played.steps.size()) press("lessonCheck");
     }
     QVERIFY(panel().progress().isComplete());
+  }
+
+  /// Three that are right at the first check master a lesson; one that is not brings another one.
+  void aLessonEndsWithFreshQuestions() {
+    play("gear-pair", 3);
+    QTRY_COMPARE(panel().state(), State::open);
+    draw(std::get<DrawTask>(step().task).solution);
+    QTRY_COMPARE_WITH_TIMEOUT(panel().state(), State::right, 20'000);
+    QCOMPARE(part<QPushButton>("lessonCheck")->text(), QString("Fresh questions"));
+    QVERIFY(!panel().isFresh());
+    const std::size_t own = panel().playedLesson()->steps.size();
+    press("lessonCheck");
+    for (int i = 0; i < kFreshQuestions + 1; ++i) {
+      QTRY_COMPARE(panel().state(), State::open);
+      QVERIFY(panel().isFresh());
+      QCOMPARE(panel().step(), static_cast<int>(own) + i);
+      const auto prepared = prepareStep(*panel().lesson(), own + static_cast<std::size_t>(i), bundledExample);
+      if (i == 1) {
+        answerWith(mistakenAnswer(step(), *prepared->question));
+        QCOMPARE(panel().state(), State::wrong);
+        press("lessonCheck");
+      }
+      QVERIFY(!masteryOf(*panel().playedLesson()).isMastered());
+      answerWith(prepared->question->solution);
+      QVERIFY2(panel().state() == State::right, qPrintable(panel().resultText()));
+      if (i < kFreshQuestions) press("lessonCheck");
+    }
+    QVERIFY2(panel().resultText().contains("You have mastered this lesson."),
+             qPrintable(panel().resultText()));
+    QCOMPARE(part<QPushButton>("lessonCheck")->text(), QString("Finish"));
+    const Lesson& lesson = course().front();
+    QCOMPARE(masteryOf(lesson).on, QDate::currentDate());
+    QCOMPARE(progressOf(lesson).points.size(), lesson.steps.size());
+    press("lessonCheck");
+    QTRY_COMPARE(panel().lesson()->id, course()[1].id);
+  }
+
+  /// Reviews come after 1, 3, 7 days and so on; one before its day moves nothing.
+  void lessonsComeBackForReview() {
+    const Lesson& lesson = course()[2];
+    QCOMPARE(reviewStateOf(lesson, QDate(2030, 5, 1)), ReviewState::none);  // its own steps are not done
+    LessonProgress progress = progressOf(lesson);
+    progress.points.assign(lesson.steps.size(), kStepPoints);
+    saveProgress(lesson, progress);
+    QCOMPARE(reviewStateOf(lesson, QDate(2030, 5, 1)), ReviewState::freshLeft);
+    saveMastered(lesson, QDate(2030, 5, 1));
+    QCOMPARE(masteryOf(lesson).due(), QDate(2030, 5, 2));
+    QCOMPARE(reviewStateOf(lesson, QDate(2030, 5, 1)), ReviewState::none);
+    QCOMPARE(reviewStateOf(lesson, QDate(2030, 5, 2)), ReviewState::due);
+    saveMastered(lesson, QDate(2030, 5, 1));
+    QCOMPARE(masteryOf(lesson).due(), QDate(2030, 5, 2));
+    saveMastered(lesson, QDate(2030, 5, 4));
+    QCOMPARE(masteryOf(lesson).due(), QDate(2030, 5, 7));
+    saveMastered(lesson, QDate(2030, 6, 1));
+    QCOMPARE(masteryOf(lesson).due(), QDate(2030, 6, 8));
+    // The course offers a review of what is due: it begins with the fresh questions.
+    saveSetting(QStringLiteral("lessons/%1/mastered").arg(QString::fromStdString(lesson.id)),
+                QStringLiteral("2020-01-01"));
+    set->openNew();
+    first().actions()[CommandId::lessons]->trigger();
+    auto* dialog = first().findChild<CourseDialog*>();
+    dialog->list().setCurrentIndex(dialog->list().model()->index(2, 0));
+    QCOMPARE(dialog->findChild<QPushButton*>("courseStart")->text(), QString("Review"));
+    dialog->findChild<QPushButton*>("courseStart")->click();
+    QTRY_COMPARE(set->windows().size(), std::size_t{2});
+    QTRY_COMPARE(panel().state(), State::open);
+    QVERIFY(panel().isFresh());
+  }
+
+  /// It ends with the second question that is not right at once, and the course begins with the first.
+  void theStartTestTellsWhereToBegin() {
+    set->openNew();
+    first().actions()[CommandId::lessons]->trigger();
+    first().findChild<QPushButton*>("courseTest")->click();
+    QTRY_COMPARE(set->windows().size(), std::size_t{2});
+    for (int i = 0; i < 4; ++i) {
+      QTRY_COMPARE(panel().state(), State::open);
+      QCOMPARE(panel().step(), i);
+      const auto prepared = prepareStep(*panel().lesson(), static_cast<std::size_t>(i), bundledExample);
+      if (i == 0 || i == 2) {
+        answerWith(prepared->question->solution);
+        QCOMPARE(panel().state(), State::right);
+      } else {
+        press("lessonShow");
+        QCOMPARE(panel().state(), State::shown);
+      }
+      press("lessonCheck");
+    }
+    auto* dialog = last().findChild<CourseDialog*>();
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    QCOMPARE(dialog->list().currentIndex().row(), 1);
+    QCOMPARE(lessonToBeginWith(course()), std::optional<std::size_t>(1));
   }
 
   /// Questions about the learner's own document, in a window of their own.
