@@ -24,6 +24,11 @@ void setColor(cairo_t* context, Color color) {
   cairo_set_source_rgb(context, color.red / 255.0, color.green / 255.0, color.blue / 255.0);
 }
 
+void paintSheet(cairo_t* context, Theme theme) {
+  setColor(context, colorOf(ColorRole::sheet, theme));
+  cairo_paint(context);
+}
+
 /// Adds a shape to the path.
 struct ShapePath {
   cairo_t* context;
@@ -130,15 +135,20 @@ CairoSurface CairoSurface::pdf(double width, double height, const std::string& t
 }
 
 void CairoSurface::play(const DisplayList& list, const Extent& sheet, double scale, const SheetStyle& style) {
-  playOn(m_context.get(), list, sheet, scale, style);
+  cairo_t* context = m_context.get();
+  // What covers the whole page makes cairo forget all before it, the beginning of a part as well.
+  if (!style.transparent) paintSheet(context, style.theme);
+  SheetStyle marks = style;
+  marks.transparent = true;
+  // Parts of a PDF; an image has none.
+  for (const char* part : {"Document", "Figure"}) cairo_tag_begin(context, part, nullptr);
+  playOn(context, list, sheet, scale, marks);
+  for (const char* part : {"Figure", "Document"}) cairo_tag_end(context, part);
 }
 
 void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, double scale,
             const SheetStyle& style) {
-  if (!style.transparent) {
-    setColor(context, colorOf(ColorRole::sheet, style.theme));
-    cairo_paint(context);
-  }
+  if (!style.transparent) paintSheet(context, style.theme);
   // Letters where the lines are, at any size.
   cairo_font_options_t* options = cairo_font_options_create();
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);

@@ -10,6 +10,8 @@
 namespace geargraph {
 namespace {
 
+constexpr const char* kWhole = "Document";  ///< the part around all others, which makes a PDF a tagged one
+
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);  // NOLINT: bytes
   return CAIRO_STATUS_SUCCESS;
@@ -57,6 +59,7 @@ PdfPages::PdfPages(double width, double height, const std::string& title)
       m_context(cairo_create(m_surface.get())) {
   cairo_pdf_surface_set_metadata(m_surface.get(), CAIRO_PDF_METADATA_TITLE, printable(title).c_str());
   cairo_pdf_surface_set_metadata(m_surface.get(), CAIRO_PDF_METADATA_CREATOR, "GearGraph");
+  beginPart(kWhole);
 }
 
 PdfPages::~PdfPages() = default;
@@ -141,6 +144,14 @@ void PdfPages::drawing(const DisplayList& list, double x, double y, double width
   cairo_restore(m_context.get());
 }
 
+void PdfPages::beginPart(const char* name) {
+  cairo_tag_begin(m_context.get(), name, nullptr);
+}
+
+void PdfPages::endPart(const char* name) {
+  cairo_tag_end(m_context.get(), name);
+}
+
 void PdfPages::bookmark(int level, const std::string& title, double y) {
   const std::string place = "page=" + std::to_string(m_page) + " pos=[0 " +
                             std::to_string(static_cast<int>(std::max(0.0, y))) + "]";
@@ -157,6 +168,7 @@ void PdfPages::endPage() {
 }
 
 std::optional<std::string> PdfPages::finished() {
+  endPart(kWhole);
   const bool painted = cairo_status(m_context.get()) == CAIRO_STATUS_SUCCESS;
   m_context.reset();
   cairo_surface_finish(m_surface.get());

@@ -38,6 +38,11 @@ class PdfPages {
   void rule(double x, double y, double width, Color color);
   /// Paints a drawing without background, as large as fits into the rectangle.
   void drawing(const DisplayList& list, double x, double y, double width, double height);
+  /// Tells readers such as a screen reader what is painted until endPart(): a name of a structure element of
+  /// PDF, "H1", "P", "TD". Parts may be nested, and end on the page where they begin. @pre nothing covers a
+  /// whole page, or cairo forgets what is below it with its parts
+  void beginPart(const char* name);
+  void endPart(const char* name);
   /// Adds an entry of the outline for this place; level 1 or 2, where 2 is below the last entry of level 1.
   void bookmark(int level, const std::string& title, double y);
   void endPage();

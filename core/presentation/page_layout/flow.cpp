@@ -175,6 +175,7 @@ class FlowWriter {
   }
   FlowLine tableRow(const std::vector<ReportWords>& cells, const std::vector<double>& widths, bool isHead) {
     FlowLine row;
+    row.isHead = isHead;
     double x = 0, height = 0;
     const double lead = 0.15 * m_flow.size;
     for (std::size_t column = 0; column < widths.size(); ++column) {
@@ -184,10 +185,12 @@ class FlowWriter {
         for (FlowLine& line : paragraph(cells[column], style, x, widths[column])) {
           for (FlowWords& words : line.words) {
             words.y += y;
+            words.cell = static_cast<int>(column);
             row.words.push_back(std::move(words));
           }
           for (FlowFormula& formula : line.formulas) {
             formula.y += y;
+            formula.cell = static_cast<int>(column);
             row.formulas.push_back(std::move(formula));
           }
           y += line.height;

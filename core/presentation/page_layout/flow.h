@@ -36,11 +36,13 @@ struct FlowWords {
   std::string text;
   double x = 0, y = 0;
   TextStyle style;
+  int cell = 0;  ///< of a row of a table, from 0
 };
 struct FlowFormula {
   std::shared_ptr<const FormulaBox> box;
   double x = 0, y = 0;
   double size = 10;  ///< of the em
+  int cell = 0;      ///< of a row of a table, from 0
 };
 struct FlowRule {
   double x = 0, y = 0, width = 0;
@@ -58,6 +60,7 @@ struct FlowLine {
   double height = 0;
   std::size_t block = 0;             ///< of the report
   bool keepsWithNext = false;        ///< no page break after it
+  bool isHead = false;               ///< the first row of a table, its headings
   std::optional<ElementId> element;  ///< that it is about
   std::vector<FlowWords> words;
   std::vector<FlowFormula> formulas;

@@ -96,6 +96,40 @@ class ReportPdfTest : public QObject {
     }
   }
 
+  /// A screen reader is told what is a heading, a table with its rows and cells, a formula, a drawing.
+  void partsAreTagged() {
+    const Mechanism robot = test::example("robot");
+    const QByteArray pdf = pdfOf(robot), text = test::pdfText(pdf);
+    QVERIFY(text.contains("/StructTreeRoot") && text.contains("/Marked true"));
+    const auto count = [&](const char* name) {
+      static const QRegularExpression space(QStringLiteral("\\s+"));
+      return QString::fromLatin1(text)
+          .replace(space, " ")
+          .count(QStringLiteral("/S /%1 ").arg(QLatin1String(name)));
+    };
+    const Report report = reportOf(robot);
+    qsizetype chapters = 0, headings = 0, equations = 0, tables = 0, rows = 0, cells = 0;
+    for (const ReportBlock& block : report.blocks) {
+      if (const auto* heading = std::get_if<ReportHeading>(&block))
+        ++(heading->level == 1 ? chapters : headings);
+      equations += std::holds_alternative<ReportEquation>(block) ? 1 : 0;
+      const auto* table = std::get_if<ReportTable>(&block);
+      if (table == nullptr) continue;
+      ++tables;
+      rows += 1 + static_cast<qsizetype>(table->rows.size());
+      for (const auto& row : table->rows) cells += static_cast<qsizetype>(row.size());
+    }
+    QCOMPARE(count("H1"), qsizetype{1});
+    QCOMPARE(count("H2"), chapters);
+    QCOMPARE(count("H3"), headings);
+    QVERIFY(count("Formula") >= equations);  // one of several pages is begun on each
+    QVERIFY(count("Table") >= tables && tables > 3);
+    QCOMPARE(count("TR"), rows);
+    QVERIFY(count("TH") >= 2 * tables && count("TD") > cells * 9 / 10);
+    QCOMPARE(count("Figure"), qsizetype{2});  // the digraph, and the curves
+    QVERIFY(contentsOf(pdf).front().contains("BDC") && contentsOf(pdf).front().contains("EMC"));
+  }
+
   void noHeadingStandsAtAPagesFootAndEveryPageIsNumbered() {
     const std::vector<std::string> names = test::exampleNames();
     QVERIFY(names.size() >= 17);
