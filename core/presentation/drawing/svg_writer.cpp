@@ -1,32 +1,16 @@
 #include "core/presentation/drawing/svg_writer.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <string_view>
 
-#include "core/foundations/base/contract.h"
 #include "core/foundations/base/text_lists.h"
+#include "core/presentation/drawing/sheet_number.h"
 
 namespace geargraph {
 namespace {
 
-/// To a hundredth of a pixel, without the zeros behind, whatever the locale. @pre finite
-std::string number(double value) {
-  GEARGRAPH_REQUIRE(std::isfinite(value));
-  std::array<char, 320> text{};  // the largest double has 309 digits
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
-  GEARGRAPH_REQUIRE(error == std::errc{});
-  std::string out(text.data(), end);
-  out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
-  return out == "-0" ? "0" : out;
-}
-
 std::string attribute(std::string_view name, double value) {
-  return " " + std::string(name) + "=\"" + number(value) + "\"";
+  return " " + std::string(name) + "=\"" + sheetNumber(value) + "\"";
 }
 
 std::string attribute(std::string_view name, std::string_view value) {
@@ -34,7 +18,7 @@ std::string attribute(std::string_view name, std::string_view value) {
 }
 
 std::string pair(CanvasPoint p) {
-  return number(p.x) + " " + number(p.y);
+  return sheetNumber(p.x) + " " + sheetNumber(p.y);
 }
 
 /// The tag of a shape without its end.
@@ -51,7 +35,7 @@ struct ShapeTag {
   std::string operator()(const Polyline& line) const {
     std::string points;
     for (const CanvasPoint p : line.points)
-      points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+      points += (points.empty() ? "" : " ") + sheetNumber(p.x) + "," + sheetNumber(p.y);
     return (line.closed ? "<polygon" : "<polyline") + attribute("points", points);
   }
   std::string operator()(const Curve& curve) const {
@@ -113,14 +97,15 @@ Extent sheetOf(const DisplayList& list, const SheetStyle& style) {
 
 std::string svgOf(const DisplayList& list, const SheetStyle& style, std::string_view title) {
   const Extent sheet = sheetOf(list, style);
-  const std::string width = number(2 * sheet.halfWidth);
-  const std::string height = number(2 * sheet.halfHeight);
+  const std::string width = sheetNumber(2 * sheet.halfWidth);
+  const std::string height = sheetNumber(2 * sheet.halfHeight);
   std::string svg =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "version=\"1.1\"" +
       attribute("width", style.size ? std::to_string(style.size->width) : width) +
       attribute("height", style.size ? std::to_string(style.size->height) : height) +
-      attribute("viewBox", number(sheet.left()) + " " + number(sheet.top()) + " " + width + " " + height) +
+      attribute("viewBox",
+                sheetNumber(sheet.left()) + " " + sheetNumber(sheet.top()) + " " + width + " " + height) +
       ">\n";
   if (!title.empty()) svg += "<title>" + escapedXml(title) + "</title>\n";
   if (!style.transparent) {

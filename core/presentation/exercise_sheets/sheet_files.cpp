@@ -80,7 +80,7 @@ class SheetFileWriter {
       case SheetFileForm::html:
         return reportHtml(report, m_drawings);
       case SheetFileForm::latex:
-        return reportLatex(report);
+        return reportLatex(report, m_lists);
       case SheetFileForm::pdf:
         return reportPdf(report, m_lists);
       case SheetFileForm::json:

@@ -1,3 +1,6 @@
+#include <cctype>
+#include <string_view>
+
 #include "core/foundations/base/text_lists.h"
 #include "core/foundations/base/translation.h"
 #include "core/presentation/drawing/svg_writer.h"
@@ -14,6 +17,7 @@ body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 62rem; color: var(-
        font: 16px/1.55 "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif; }
 h1 { font-size: 1.7rem; } h2 { font-size: 1.3rem; margin-top: 2.2rem; border-bottom: 1px solid var(--rule); }
 h3 { font-size: 1.05rem; margin-top: 1.6rem; }
+.whole { white-space: nowrap; }
 .equation { display: flex; align-items: center; gap: 1.5rem; margin: 0.9rem 0; break-inside: avoid; }
 .equation > div { flex: 1; overflow-x: auto; text-align: center; }
 .number { color: var(--soft); min-width: 3rem; text-align: right; }
@@ -35,11 +39,51 @@ std::string formula(const std::string& tex, bool onItsOwn) {
   return std::string("<math") + (onItsOwn ? " display=\"block\"" : "") + ">" + mathMl(tex) + "</math>";
 }
 
+/// Words of a sentence, which browsers would break behind any hyphen, and before and behind formulas.
+class WordWriter {
+ public:
+  std::string written(const ReportWords& spans) {
+    for (const ReportSpan& span : spans) {
+      if (span.isFormula) {
+        m_html += formula(span.text, false);
+        ++m_formulas;
+        continue;
+      }
+      for (const char c : span.text) {
+        if (c != ' ' && c != '\n') {
+          m_word += c;
+          m_html += escapedXml(std::string_view(&c, 1));
+          continue;
+        }
+        endWord();
+        m_text += c;
+      }
+    }
+    endWord();
+    return std::move(m_text);
+  }
+
+ private:
+  /// "(n = 7)", "f-circuit" and "(31)-(38)" stay on one line.
+  void endWord() {
+    const bool hasMark = m_formulas == 1 && !m_word.empty();
+    const bool isName =
+        m_word.size() > 2 && m_word[1] == '-' && std::isalpha(static_cast<unsigned char>(m_word[0])) != 0;
+    const bool isKept = hasMark || isName || m_word.find(")-(") != std::string::npos;
+    m_text += isKept ? "<span class=\"whole\">" + m_html + "</span>" : m_html;
+    m_word.clear();
+    m_html.clear();
+    m_formulas = 0;
+  }
+
+  std::string m_text;
+  std::string m_word;  ///< the plain part of the word that is being read
+  std::string m_html;
+  int m_formulas = 0;  ///< in that word
+};
+
 std::string words(const ReportWords& spans) {
-  std::string text;
-  for (const ReportSpan& span : spans)
-    text += span.isFormula ? formula(span.text, false) : escapedXml(span.text);
-  return text;
+  return WordWriter().written(spans);
 }
 
 /// A drawing's own prolog has no place within a page.

@@ -1,5 +1,7 @@
 #include "core/presentation/report/mathml.h"
 
+#include <algorithm>
+
 #include "core/foundations/base/text_lists.h"
 #include "core/presentation/typeset/tex_reader.h"
 
@@ -8,9 +10,22 @@ namespace {
 
 std::string elementOf(const FormulaNode& node);
 
+/// Bars in pairs are those of absolute values, close to what they enclose; one alone is a relation.
 std::string partsOf(const FormulaNode& row) {
+  const auto isBar = [](const FormulaNode& part) {
+    return part.kind == FormulaKind::sign && part.text == "|";
+  };
+  const bool areFences = std::count_if(row.parts.begin(), row.parts.end(), isBar) % 2 == 0;
+  bool isOpen = false;
   std::string text;
-  for (const FormulaNode& part : row.parts) text += elementOf(part);
+  for (const FormulaNode& part : row.parts) {
+    if (!areFences || !isBar(part)) {
+      text += elementOf(part);
+      continue;
+    }
+    isOpen = !isOpen;
+    text += std::string("<mo form=\"") + (isOpen ? "prefix" : "postfix") + "\" stretchy=\"false\">|</mo>";
+  }
   return text;
 }
 

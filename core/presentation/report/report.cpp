@@ -49,7 +49,7 @@ ReportDrawings svgDrawings(const ReportLists& lists) {
 
 std::string reportText(const Report& report, ReportForm form, const std::function<ReportLists()>& drawings) {
   if (form == ReportForm::markdown) return reportMarkdown(report);
-  if (form == ReportForm::latex) return reportLatex(report);
+  if (form == ReportForm::latex) return reportLatex(report, drawings());
   return reportHtml(report, svgDrawings(drawings()));
 }
 

@@ -120,8 +120,10 @@ enum class ReportForm { markdown, latex, html };
 /// Blocks of a report for another HTML page: without drawings; a part about one element has the attribute
 /// data-el, "gearMeshes/16".
 [[nodiscard]] std::string reportHtmlBlocks(const std::vector<ReportBlock>& blocks);
-/// A LaTeX document for any engine, which needs amsmath only; without drawings.
-[[nodiscard]] std::string reportLatex(const Report& report);
+/// A LaTeX document for any engine. Long formulas are broken into lines, wide tables into columns with
+/// several lines, and what is too large even so is set smaller, so that all fits the page. It needs amsmath,
+/// array, graphicx and longtable; with drawings, which are `tikzpicture`s, tikz as well.
+[[nodiscard]] std::string reportLatex(const Report& report, const ReportLists& drawings = {});
 /// Markdown with formulas between dollar signs, as GitHub, Jupyter and Pandoc read it; without drawings.
 [[nodiscard]] std::string reportMarkdown(const Report& report);
 

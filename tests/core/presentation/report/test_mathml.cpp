@@ -9,6 +9,14 @@ class MathMlTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void barsInPairsEnclose() {
+    const std::string value = mathMl("| a | = b");
+    QVERIFY2(value.find("<mo form=\"prefix\" stretchy=\"false\">|</mo><mi>a</mi>"
+                        "<mo form=\"postfix\" stretchy=\"false\">|</mo>") != std::string::npos,
+             value.c_str());
+    QVERIFY(mathMl("G \\mid H").find("<mo>|</mo>") != std::string::npos);
+  }
+
   void formulas_data() {
     QTest::addColumn<QString>("tex");
     QTest::addColumn<QString>("elements");

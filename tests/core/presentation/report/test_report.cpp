@@ -1,11 +1,19 @@
+#include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
 #include <numeric>
 #include <set>
 
 #include "core/mechanism/model/load_edits.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/layout.h"
+#include "core/presentation/report/latex_lines.h"
 #include "core/presentation/report/report.h"
+#include "core/presentation/typeset/tex_reader.h"
+#include "core/presentation/typeset/typeset.h"
 #include "core/teaching/derivation/comparison_families.h"
 #include "tests/core/presentation/report/derived_report.h"
 #include "tests/core/support/example_files.h"
@@ -321,6 +329,82 @@ class ReportTest : public QObject {
     QVERIFY(markdown.find("# a\\_b & \\<i\\>c\\</i\\> \\$d\\$ \\{e\\} 50% \\#1 \\\\x\n") !=
             std::string::npos);
     QVERIFY(markdown.find("| \\| pipe line \\`code\\` \\~ ^ |") != std::string::npos);
+  }
+
+  /// Whatever is wider than a page is broken into lines, or set smaller as a whole.
+  void latexFitsThePage() {
+    constexpr double kWidth = 45;  // em: 17 cm less the room of a number
+    int fitted = 0;
+    int equations = 0;
+    for (const std::string& name : test::exampleNames()) {
+      const Report report = reportOf(test::example(name));
+      for (const ReportBlock& block : report.blocks) {
+        const auto* equation = std::get_if<ReportEquation>(&block);
+        if (equation == nullptr) continue;
+        ++equations;
+        Report one;
+        one.blocks = {*equation};
+        const std::string latex = reportLatex(one);
+        const bool isFitted = latex.find("\\fit{\\dimexpr") != std::string::npos;
+        fitted += isFitted ? 1 : 0;
+        if (isFitted) continue;
+        const std::size_t begin = latex.find("\\begin{equation*}\n") + 18;
+        std::string tex = latex.substr(begin, latex.find("\n\\end{equation*}") - begin);
+        tex = tex.substr(0, tex.find(" \\tag{"));
+        const double width = widthOf(typesetLines(formulaOf(tex), 1e9));
+        QVERIFY2(width < kWidth, (name + ": " + std::to_string(width) + " em: " + tex).c_str());
+      }
+    }
+    QVERIFY2(equations > 500 && fitted > 0 && fitted < equations / 10, qPrintable(QString::number(fitted)));
+  }
+
+  /// Only breaks and indents are added.
+  void longLinesAreBrokenAndKeepTheirTerms() {
+    std::string sum = "\\omega_{12} &= n_{1}";
+    for (int i = 2; i < 40; ++i) sum += (i % 3 == 0 ? " - " : " + ") + ("n_{" + std::to_string(i) + "}");
+    const std::string tex = "\\begin{aligned}\n" + sum + " \\\\\n\\omega_{2} &= 1\n\\end{aligned}";
+    QString broken = QString::fromStdString(brokenLines(tex, 30));
+    QVERIFY(broken.count("\\\\\n") > 2);
+    QVERIFY(widthOf(typesetLines(formulaOf(broken.toStdString()), 1e9)) <= 31);
+    broken.remove(" \\\\\n&\\quad\\quad {}");
+    QCOMPARE(broken.toStdString(), tex);
+    QCOMPARE(brokenLines("a = b + c", 30), std::string("a = b + c"));
+    const std::string group = "a = \\left( " + sum.substr(sum.find("n_")) + " \\right)";
+    QCOMPARE(brokenLines(group, 30), group);  // there is no place for a break within a bracket
+  }
+
+  void latexDrawsWhereThereAreDrawings() {
+    const Report report = reportOf(test::example("robot"));
+    ReportLists lists;
+    const Mechanism robot = test::example("robot");
+    lists[ReportDrawing::digraph] = digraphDrawing(robot, completedPositions(robot), {});
+    const QString latex = QString::fromStdString(reportLatex(report, lists));
+    QCOMPARE(latexFault(latex), QString());
+    QVERIFY(latex.contains("\\usepackage{tikz}"));
+    QCOMPARE(latex.count("\\begin{tikzpicture}"), 2);  // and the curves of the comparison
+    QVERIFY(latex.count("\\draw[") > 15 && latex.contains("dash pattern=") &&
+            latex.contains("{\\sffamily\\bfseries{}8}"));
+    for (const QChar c : latex) QVERIFY2(c.unicode() < 128, qPrintable(QString(c)));
+    QVERIFY(!QString::fromStdString(reportLatex(report)).contains("tikz"));
+  }
+
+  /// By LaTeX itself, where there is one.
+  void latexSetsEveryExampleWithoutOverfullBoxes() {
+    const QString program = QStandardPaths::findExecutable(QStringLiteral("pdflatex"));
+    if (program.isEmpty()) QSKIP("there is no pdflatex");
+    QTemporaryDir folder;
+    for (const char* name : {"robot", "eight-speed-gearbox"}) {
+      QFile file(folder.filePath("report.tex"));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(QByteArray::fromStdString(reportLatex(reportOf(test::example(name)))));
+      file.close();
+      QProcess latex;
+      latex.setWorkingDirectory(folder.path());
+      latex.start(program, {"-interaction=nonstopmode", "-no-shell-escape", "report.tex"});
+      QVERIFY(latex.waitForFinished(-1));
+      const QByteArray told = latex.readAllStandardOutput();
+      QVERIFY2(latex.exitCode() == 0 && !told.contains("Overfull"), told.right(2000).constData());
+    }
   }
 
   void aMatrixThatNobodyCouldReadIsNamedInstead() {
