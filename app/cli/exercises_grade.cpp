@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
@@ -101,6 +102,13 @@ std::string cutName(const std::string& text) {
   return text;
 }
 
+/// Without blanks at its ends.
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin == std::string::npos ? std::string()
+                                    : text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
+}
+
 /// Grades answers against the variants of one sheet, which are made when they are needed.
 class AnswerGrader {
  public:
@@ -122,39 +130,65 @@ class AnswerGrader {
 
   /// The row of a file that is not graded.
   void reject(const std::string& file, const AnswerRejection& rejection) {
-    line({file, "", "", "total", "", "", "", "rejected", rejection.code, "", rejection.reason});
+    m_files.push_back({{file, "", ""}, {}, 0, rejection});
   }
 
   /// Texts for questions or fields that the sheet does not have are reported.
   void add(const std::string& file, const AnswerSheet& answers) {
     const std::vector<Question>& questions = questionsOf(answers.variant);
-    const std::vector<std::string> head{file, cutName(answers.student), std::to_string(answers.variant)};
-    int sum = 0;
-    int of = 0;
-    int unreadable = 0;
+    GradedFile graded{{file, cutName(trimmed(answers.student)), std::to_string(answers.variant)}, {}, 0, {}};
     for (std::size_t i = 0; i < questions.size(); ++i) {
-      const Verdict verdict = addQuestion(head, static_cast<int>(i) + 1, questions[i], answers);
-      sum += verdict.points;
-      of += questions[i].points;
-      unreadable += verdict.isUnreadable ? 1 : 0;
+      graded.verdicts.push_back(verdictOf(file, static_cast<int>(i) + 1, questions[i], answers));
+      graded.points += graded.verdicts.back().points;
     }
     if (!answers.answers.empty() && answers.answers.rbegin()->first > static_cast<int>(questions.size()))
       std::cerr << file << ": "
                 << translated("The sheet has no question %1.",
                               {std::to_string(answers.answers.rbegin()->first)})
                 << '\n';
-    const bool isRead = unreadable == 0;
-    line({head[0], head[1], head[2], "total", "", std::to_string(sum), std::to_string(of),
-          isRead ? "" : "unreadable", "", "",
-          isRead ? "" : translated("Answers that cannot be read: %1.", {std::to_string(unreadable)})});
+    m_files.push_back(std::move(graded));
+  }
+
+  /// Writes what was added. A student counts once: of several files of one name that with the most points,
+  /// the last of equal ones.
+  void finish() {
+    std::map<std::string, std::size_t> best;
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+      const GradedFile& file = m_files[i];
+      if (file.rejection || file.student().empty()) continue;
+      const auto [found, isFirst] = best.try_emplace(file.student(), i);
+      if (!isFirst && file.points >= m_files[found->second].points) found->second = i;
+    }
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+      const GradedFile& file = m_files[i];
+      const auto counted = best.find(file.student());
+      if (file.rejection) {
+        line({file.head[0], file.head[1], file.head[2], "total", "", "", "", "rejected", file.rejection->code,
+              "", file.rejection->reason});
+      } else if (counted != best.end() && counted->second != i) {
+        supersede(file, m_files[counted->second]);
+      } else {
+        write(file);
+      }
+    }
   }
 
   [[nodiscard]] const std::string& csv() const { return m_csv; }
   [[nodiscard]] const ClassSummary& summary() const { return m_summary; }
 
  private:
-  Verdict addQuestion(const std::vector<std::string>& head, int number, const Question& question,
-                      const AnswerSheet& answers) {
+  /// The answers of one file.
+  struct GradedFile {
+    std::vector<std::string> head;  ///< file, student, variant
+    std::vector<Verdict> verdicts;  ///< by question
+    int points = 0;
+    std::optional<AnswerRejection> rejection;
+
+    [[nodiscard]] const std::string& student() const { return head[1]; }
+  };
+
+  Verdict verdictOf(const std::string& file, int number, const Question& question,
+                    const AnswerSheet& answers) const {
     const auto given = answers.answers.find(number);
     const bool isGiven = given != answers.answers.end();
     std::vector<std::string> texts;
@@ -165,7 +199,7 @@ class AnswerGrader {
       used += hasText ? 1 : 0;
     }
     if (isGiven && used != given->second.size()) {
-      std::cerr << head[0] << ": "
+      std::cerr << file << ": "
                 << translated("Question %1 has no such field as some that are answered.",
                               {std::to_string(number)})
                 << '\n';
@@ -180,14 +214,38 @@ class AnswerGrader {
       verdict.reason = translated("The question is not answered.");
       verdict.mistake = FoundMistake{"unanswered", {}, {}, verdict.reason};
     }
-    std::string fields;
-    for (const int field : verdict.wrongFields)
-      fields += (fields.empty() ? "" : "; ") + question.fields[static_cast<std::size_t>(field)].name;
-    m_summary.add(number, question, head[1].empty() ? head[0] : head[1], verdict);
-    line({head[0], head[1], head[2], std::to_string(number), question.kind, std::to_string(verdict.points),
-          std::to_string(question.points), resultOf(verdict), verdict.mistake ? verdict.mistake->name : "",
-          fields, verdict.isRight ? "" : verdict.reason});
     return verdict;
+  }
+  /// The lines of a file that counts, also in the summary.
+  void write(const GradedFile& file) {
+    const std::vector<Question>& questions = questionsOf(std::stoi(file.head[2]));
+    const std::string& student = file.student().empty() ? file.head[0] : file.student();
+    int of = 0;
+    int unreadable = 0;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const Question& question = questions[i];
+      const Verdict& verdict = file.verdicts[i];
+      std::string fields;
+      for (const int field : verdict.wrongFields)
+        fields += (fields.empty() ? "" : "; ") + question.fields[static_cast<std::size_t>(field)].name;
+      m_summary.add(static_cast<int>(i) + 1, question, student, verdict);
+      line({file.head[0], file.head[1], file.head[2], std::to_string(i + 1), question.kind,
+            std::to_string(verdict.points), std::to_string(question.points), resultOf(verdict),
+            verdict.mistake ? verdict.mistake->name : "", fields, verdict.isRight ? "" : verdict.reason});
+      of += question.points;
+      unreadable += verdict.isUnreadable ? 1 : 0;
+    }
+    const bool isRead = unreadable == 0;
+    line({file.head[0], file.head[1], file.head[2], "total", "", std::to_string(file.points),
+          std::to_string(of), isRead ? "" : "unreadable", "", "",
+          isRead ? "" : translated("Answers that cannot be read: %1.", {std::to_string(unreadable)})});
+  }
+  /// The line of a file that does not count.
+  void supersede(const GradedFile& file, const GradedFile& counted) {
+    const std::string reason =
+        translated("Of the files of %1, %2 counts.", {file.student(), counted.head[0]});
+    std::cerr << file.head[0] << ": " << reason << '\n';
+    line({file.head[0], file.head[1], file.head[2], "total", "", "", "", "superseded", "", "", reason});
   }
   static std::string resultOf(const Verdict& verdict) {
     return verdict.isRight        ? "right"
@@ -210,6 +268,7 @@ class AnswerGrader {
   ExerciseSource m_source;
   std::string m_mark;
   std::map<int, std::vector<Question>> m_variants;
+  std::vector<GradedFile> m_files;
   std::string m_csv;
   ClassSummary m_summary;
 };
@@ -267,6 +326,7 @@ int gradeExercises(const Arguments& arguments) {
     }
     grader.add(file, *answers);
   }
+  grader.finish();
   if (summary) {
     const ClassSummary& made = grader.summary();
     if (const auto error =

@@ -14810,6 +14810,18 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Fragen drucken</translation>
     </message>
     <message>
+        <source>Of the files of %1, %2 counts.</source>
+        <translation>Von den Dateien von %1 zählt %2.</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Lernende</translation>
+    </message>
+    <message>
+        <source>not right: %1</source>
+        <translation>nicht richtig: %1</translation>
+    </message>
+    <message>
         <source>Start again</source>
         <translation>Neu beginnen</translation>
     </message>

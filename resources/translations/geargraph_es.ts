@@ -14810,6 +14810,18 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Imprimir las preguntas</translation>
     </message>
     <message>
+        <source>Of the files of %1, %2 counts.</source>
+        <translation>De los archivos de %1 cuenta %2.</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Estudiantes</translation>
+    </message>
+    <message>
+        <source>not right: %1</source>
+        <translation>no correctas: %1</translation>
+    </message>
+    <message>
         <source>Start again</source>
         <translation>Empezar de nuevo</translation>
     </message>

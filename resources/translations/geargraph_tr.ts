@@ -14808,6 +14808,18 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Soruları yazdır</translation>
     </message>
     <message>
+        <source>Of the files of %1, %2 counts.</source>
+        <translation>%1 adlı öğrencinin dosyalarından %2 sayılır.</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Öğrenciler</translation>
+    </message>
+    <message>
+        <source>not right: %1</source>
+        <translation>doğru değil: %1</translation>
+    </message>
+    <message>
         <source>Start again</source>
         <translation>Yeniden başla</translation>
     </message>

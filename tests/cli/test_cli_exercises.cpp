@@ -225,6 +225,44 @@ class CliExercisesTest : public QObject {
     QVERIFY(!QFile::exists(path("sum.txt")));
   }
 
+  /// Who hands in twice is graded once: by the file with the most points, the last of equal ones.
+  void aStudentCountsOnce() {
+    QCOMPARE(make("twice", {"--seed", "2026", "--to", "json", "--kinds", "cycle-basis,freedom"}).status, 0);
+    QVERIFY(QDir().mkpath(path("twice/in")));
+    const auto hand = [&](const QString& file, const std::string& student, bool isWhole) {
+      AnswerSheet answers = solved("twice", "1");
+      answers.student = student;
+      if (!isWhole) answers.answers[2].clear();
+      save("twice/in/" + file, answersJson(answers));
+    };
+    hand("answers-1 (1).json", " Ada", true);
+    hand("answers-1.json", "Ada ", false);
+    hand("b.json", "Bob", false);
+    hand("c.json", "Bob", false);
+    hand("d.json", "", false);
+    hand("e.json", "", false);
+    const Run graded = run(
+        {"exercises", "grade", path("twice/sheet.json"), path("twice/in"), "--summary", path("twice.csv")});
+    QCOMPARE(graded.status, 0);
+    const QStringList table = lines(graded.output);
+    QCOMPARE(table.size(), 1 + 4 * 3 + 2);
+    QCOMPARE(table[4], QString("answers-1.json,Ada,1,total,,,,superseded,,,\"Of the files of Ada, answers-1 "
+                               "(1).json counts.\""));
+    QCOMPARE(table[5], QString("b.json,Bob,1,total,,,,superseded,,,\"Of the files of Bob, c.json counts.\""));
+    QVERIFY(graded.errors.find("answers-1.json: Of the files of Ada") != std::string::npos);
+    const QStringList summed = lines(contents("twice.csv"));
+    QCOMPARE(summed[1], QString("1,cycle-basis,right,,4,4,Ada; Bob; d.json; e.json"));
+    QCOMPARE(run({"exercises", "grade", path("twice/sheet.json"), path("twice/in"), "--summary",
+                  path("twice.html")})
+                 .status,
+             0);
+    const QString page = QString::fromStdString(contents("twice.html"));
+    QVERIFY(page.contains("<h2>Students</h2>"));
+    QCOMPARE(page.count("<th scope=\"row\">Ada</th>"), 1);
+    QVERIFY(page.contains("6 of 6</td><td></td>") || page.contains("7 of 7</td><td></td>"));
+    QVERIFY(page.contains("not right: 2"));
+  }
+
   void wrongUsageIsToldWithItsReason_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QString>("reason");

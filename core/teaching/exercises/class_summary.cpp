@@ -43,6 +43,10 @@ void ClassSummary::add(int question, const Question& asked, const std::string& s
   Outcome& outcome = entry.outcomes[key];
   ++outcome.times;
   outcome.students.insert(student);
+  Reached& reached = m_students[student];
+  reached.points += verdict.points;
+  reached.of += asked.points;
+  if (!verdict.isRight) reached.missed.push_back(question);
 }
 
 std::vector<std::pair<ClassSummary::Key, const ClassSummary::Outcome*>> ClassSummary::inOrder(
@@ -87,9 +91,26 @@ std::string ClassSummary::csv() const {
   return text;
 }
 
+std::string ClassSummary::studentsTable() const {
+  std::string text = "<h2>" + escapedXml(translated("Students")) + "</h2>\n<table>\n";
+  for (const auto& [student, reached] : m_students) {
+    std::string missed;
+    for (const int question : reached.missed)
+      missed += (missed.empty() ? "" : ", ") + std::to_string(question);
+    text += "<tr><th scope=\"row\">" + escapedXml(student) +
+            "</th><td class=\"bar\"><span class=\"right\" style=\"width:" +
+            percent(reached.points, std::max(1, reached.of)) + "%\"></span></td><td>" +
+            escapedXml(translated("%1 of %2", {std::to_string(reached.points), std::to_string(reached.of)})) +
+            "</td><td>" +
+            (missed.empty() ? std::string() : escapedXml(translated("not right: %1", {missed}))) +
+            "</td></tr>\n";
+  }
+  return text + "</table>\n";
+}
+
 std::string ClassSummary::html(const std::string& title) const {
   const std::string heading = escapedXml(title.empty() ? translated("Exercises") : title);
-  std::string body;
+  std::string body = m_students.empty() ? std::string() : studentsTable();
   for (const auto& [number, asked] : m_questions) {
     const auto kind = kindFromName(asked.kind);
     body += "<h2>" +

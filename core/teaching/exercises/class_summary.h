@@ -25,7 +25,8 @@ class ClassSummary {
   /// ". English, for programs.
   [[nodiscard]] std::string csv() const;
 
-  /// The same as a page of HTML with bars, in the current language. It needs nothing from the network.
+  /// A page of HTML with bars, in the current language: the points of each student and the questions that
+  /// were not right, then the same as csv(). It needs nothing from the network.
   [[nodiscard]] std::string html(const std::string& title) const;
 
  private:
@@ -46,7 +47,16 @@ class ClassSummary {
   [[nodiscard]] static std::vector<std::pair<Key, const Outcome*>> inOrder(const Asked& asked);
   [[nodiscard]] static std::string titleOf(const Key& key);
 
+  /// What one student reached.
+  struct Reached {
+    int points = 0;
+    int of = 0;
+    std::vector<int> missed;  ///< questions that were not right
+  };
+  [[nodiscard]] std::string studentsTable() const;
+
   std::map<int, Asked> m_questions;
+  std::map<std::string, Reached> m_students;
 };
 
 }  // namespace geargraph
