@@ -1,17 +1,7 @@
-// The page comes complete; this adds what moves: selection, inputs, theme, print.
-
-const data = JSON.parse(document.getElementById('mechanism').textContent);
-const byId = id => document.getElementById(id);
-const make = (tag, attributes = {}, ...children) => {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  node.append(...children);
-  return node;
-};
+// The page of a mechanism comes complete; this adds what moves: selection, inputs, parts.
 
 // ---- Selection: one element at a time, lit wherever it stands ----
 
-const keyOf = (list, id) => list + '/' + id;
 const elements = new Map(data.elements.map(element => [keyOf(element.list, element.id), element]));
 // The turning joints of a mesh's cycle.
 for (const element of elements.values()) element.cycle = element.walk && element.walk.slice(1).map(([joint]) => joint);
@@ -98,54 +88,7 @@ for (const svg of document.querySelectorAll('figure svg')) {
   svg.addEventListener('blur', () => { if (at >= 0) walk[at].classList.remove('walked'); });
 }
 
-// A drawing for itself, as large as is wanted. It is the same one, so that what is selected stays lit.
-const zoomStep = 1.25;
-const enlarge = (figure, opener) => {
-  const svg = figure.querySelector('svg');
-  const home = document.createComment('');
-  const box = svg.viewBox.baseVal;
-  const drawing = make('div', {class: 'drawing', tabindex: '0', role: 'region', 'aria-label': figure.dataset.title});
-  const title = make('h2', {}, figure.dataset.title);
-  const button = (text, label, run) => {
-    const node = make('button', {type: 'button', 'aria-label': label}, text);
-    node.addEventListener('click', run);
-    return node;
-  };
-  const dialog = make('dialog', {class: 'zoom', 'aria-label': figure.dataset.title});
-  let width = 0;
-  const resize = to => {
-    const [x, y] = [(drawing.scrollLeft + drawing.clientWidth / 2) / (width || 1), (drawing.scrollTop + drawing.clientHeight / 2) / (width || 1)];
-    width = Math.min(8 * box.width, Math.max(120, to));
-    svg.style.width = width + 'px';
-    drawing.scrollTo(x * width - drawing.clientWidth / 2, y * width - drawing.clientHeight / 2);
-  };
-  const fit = () => resize(Math.min(drawing.clientWidth, drawing.clientHeight * box.width / box.height));
-  dialog.append(make('div', {class: 'bar'}, title, button('\u2212', say('smaller'), () => resize(width / zoomStep)),
-                     button('+', say('larger'), () => resize(width * zoomStep)), button(say('fit'), say('fitWindow'), fit),
-                     button('\u00d7', say('close'), () => dialog.close())), drawing);
-  svg.replaceWith(home);
-  drawing.append(svg);
-  document.body.append(dialog);
-  dialog.addEventListener('keydown', event => {
-    if (event.key === '+' || event.key === '=') resize(width * zoomStep);
-    else if (event.key === '-') resize(width / zoomStep);
-    else return;
-    event.preventDefault();
-  });
-  dialog.addEventListener('close', () => {
-    svg.style.width = '';
-    home.replaceWith(svg);
-    dialog.remove();
-    opener.focus();
-  });
-  dialog.showModal();
-  fit();
-};
-for (const figure of document.querySelectorAll('#drawings figure')) {
-  const opener = make('button', {type: 'button', class: 'larger', 'aria-label': say('enlarge', figure.dataset.title), title: say('enlarge', figure.dataset.title)}, '\u2922');
-  opener.addEventListener('click', () => enlarge(figure, opener));
-  figure.querySelector('figcaption').before(opener);
-}
+for (const figure of document.querySelectorAll('#drawings figure')) addZoom(figure);
 
 // ---- Inputs and results ----
 
@@ -242,16 +185,7 @@ const drive = (rows, joints, speeds) => {
 };
 drive(allRows, data.inputs, data.speeds.map(text => Rational.from(text)));
 
-// ---- Header and tabs ----
-
-const theme = make('button', {type: 'button', 'aria-label': say('theme')}, '\u25d0');
-theme.addEventListener('click', () => {
-  const dark = getComputedStyle(document.documentElement).colorScheme === 'dark';
-  document.documentElement.dataset.theme = dark ? 'light' : 'dark';
-});
-const print = make('button', {type: 'button'}, say('print'));
-print.addEventListener('click', () => window.print());
-document.querySelector('header').append(theme, print);
+// ---- Tabs ----
 
 // On a wide page the tabs lead to its parts and follow the scroll; on a narrow one each shows its part alone.
 // Of drawings, and of matrices, one is shown at a time; on paper, and without scripts, all of them.
@@ -306,31 +240,6 @@ const setCurrent = current => {
     else tab.removeAttribute('aria-current');
   }
 };
-// Tables that stand in the text scroll by themselves, too.
-for (const table of document.querySelectorAll('section table')) {
-  if (table.closest('.wide')) continue;
-  const around = make('div', {class: 'wide'});
-  table.replaceWith(around);
-  around.append(table);
-}
-// Where something goes on beyond an edge.
-const showMore = node => {
-  const [left, right] = [node.scrollLeft > 1, node.scrollLeft + node.clientWidth < node.scrollWidth - 1];
-  if (left || right) node.dataset.more = left && right ? 'both' : left ? 'left' : 'right';
-  else delete node.dataset.more;
-};
-// What scrolls sideways can be scrolled by keys, and shows that it goes on.
-function reachWide(part = document) {
-  for (const node of part.querySelectorAll('.equation > div, .wide')) {
-    if (node.scrollWidth > node.clientWidth || node.hasAttribute('role')) node.setAttribute('tabindex', '0');
-    else node.removeAttribute('tabindex');
-    showMore(node);
-  }
-}
-document.addEventListener('scroll', event => {
-  if (event.target.matches?.('.equation > div, .wide')) showMore(event.target);
-}, {capture: true, passive: true});
-window.addEventListener('resize', () => reachWide());
 const showPart = tab => {
   setCurrent(tab);
   document.body.dataset.part = tab.hash.slice(1);

@@ -64,3 +64,4 @@ class Rational {
     return sign + size + (this.denominator === 1n ? '' : '/' + this.denominator);
   }
 }
+const ZERO = new Rational(0n);

@@ -6,11 +6,6 @@ const LONGEST = 3600;    // s of a period that the slider covers
 const STRETCH = 60;      // s that it covers where there is no such period
 const LIT = 0x2f6fed, EDGE = 0x20242a;
 
-const unpacked = async text => {
-  const packed = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
-};
 
 // Blocks of whole four bytes, one after the other, as core/presentation/handout/page_scene.h has them.
 const readSolids = (buffer, solids) => {

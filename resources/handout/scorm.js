@@ -2,7 +2,7 @@
 // the exercises. The platform offers its object "API" in a frame or window around the page; without one nothing is told.
 
 const sheet = document.getElementById('exercises');
-const PARTS = ['drawings', 'matrices', 'solution', 'derivation'].concat(sheet ? ['exercises'] : []);
+const PARTS = ['drawings', 'matrices', 'solution', 'derivation'].filter(part => document.getElementById(part)).concat(sheet ? ['exercises'] : []);
 const FARTHEST = 10;  // frames outwards, as the standard has it
 
 // Frames of another origin may not be looked into.

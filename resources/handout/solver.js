@@ -1,8 +1,6 @@
 // The matroid method in fractions: rates of all joints from those of the inputs, by elimination on the rows
 // of P (with those of engaged couplings below it).
 
-const ZERO = new Rational(0n);
-
 // rows: [[joint, Rational]...] each; inputs: joints. K by joint and input; null where the inputs are not
 // valid for these rows.
 const gainsOf = (rows, joints, inputs) => {

@@ -1092,6 +1092,38 @@
         <translation>Neue Frage %1</translation>
     </message>
     <message>
+        <source>%1 of %2 fresh questions right at the first check</source>
+        <translation>%1 von %2 neuen Fragen auf Anhieb richtig</translation>
+    </message>
+    <message>
+        <source>You have mastered this lesson.</source>
+        <translation>Sie beherrschen diese Lektion.</translation>
+    </message>
+    <message>
+        <source>Start again? All answers on this device are deleted.</source>
+        <translation>Neu beginnen? Alle Antworten auf diesem Gerät werden gelöscht.</translation>
+    </message>
+    <message>
+        <source>What you write stays in this browser.</source>
+        <translation>Was Sie schreiben, bleibt in diesem Browser.</translation>
+    </message>
+    <message>
+        <source>Answer to step %1</source>
+        <translation>Antwort zu Schritt %1</translation>
+    </message>
+    <message>
+        <source>One drawing that is right</source>
+        <translation>Eine richtige Zeichnung</translation>
+    </message>
+    <message>
+        <source>This is drawn in GearGraph: Learn &gt; Lessons. It gives no points here.</source>
+        <translation>Das wird in GearGraph gezeichnet: Lernen &gt; Lektionen. Hier gibt es dafür keine Punkte.</translation>
+    </message>
+    <message>
+        <source>Two lessons have the id &quot;%1&quot;.</source>
+        <translation>Zwei Lektionen haben die Kennung „%1“.</translation>
+    </message>
+    <message>
         <source>Where to begin</source>
         <translation>Wo beginnen</translation>
     </message>
@@ -8820,24 +8852,20 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>check braucht eine Datei.</translation>
     </message>
     <message>
-        <source>list has no options.</source>
-        <translation>list hat keine Optionen.</translation>
-    </message>
-    <message>
         <source>%1 lessons, %2 min</source>
         <translation>%1 Lektionen, %2 min</translation>
     </message>
     <message>
-        <source>The first word is check or list.</source>
-        <translation>Das erste Wort ist check oder list.</translation>
+        <source>The first word is check, list or make.</source>
+        <translation>Das erste Wort ist check, list oder make.</translation>
     </message>
     <message>
         <source>the findings as JSON</source>
         <translation>die Befunde als JSON</translation>
     </message>
     <message>
-        <source>Checks lessons: their form, answers and reasons; lists those of the program.</source>
-        <translation>Prüft Lektionen: Form, Antworten und Gründe; führt die des Programms auf.</translation>
+        <source>Checks lessons: their form, answers and reasons; lists those of the program; makes pages of them.</source>
+        <translation>Prüft Lektionen: ihre Form, Antworten und Begründungen; zählt die des Programms auf; macht Seiten daraus.</translation>
     </message>
     <message>
         <source>A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link export a part of it. Nothing was written.</source>
@@ -14810,6 +14838,22 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Fragen drucken</translation>
     </message>
     <message>
+        <source>Previous step</source>
+        <translation>Vorheriger Schritt</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Hint %1 of %2</source>
+        <translation>Hinweis %1 von %2</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
         <source>Of the files of %1, %2 counts.</source>
         <translation>Von den Dateien von %1 zählt %2.</translation>
     </message>
@@ -14820,6 +14864,30 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
     <message>
         <source>not right: %1</source>
         <translation>nicht richtig: %1</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html and scorm, not &quot;%1&quot;.</source>
+        <translation>--to zählt Formen aus html und scorm auf, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>the pages</source>
+        <translation>die Seiten</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for lesson %2.</source>
+        <translation>%1 hat bei lesson %2 keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>list needs no file.</source>
+        <translation>list braucht keine Datei.</translation>
+    </message>
+    <message>
+        <source>forms: html for browsers, scorm for learning platforms (html)</source>
+        <translation>Formen: html für Browser, scorm für Lernplattformen (html)</translation>
+    </message>
+    <message>
+        <source>a folder for the pages and packages</source>
+        <translation>ein Ordner für die Seiten und Pakete</translation>
     </message>
     <message>
         <source>Start again</source>

@@ -1092,6 +1092,38 @@
         <translation>Pregunta nueva %1</translation>
     </message>
     <message>
+        <source>%1 of %2 fresh questions right at the first check</source>
+        <translation>%1 de %2 preguntas nuevas bien a la primera</translation>
+    </message>
+    <message>
+        <source>You have mastered this lesson.</source>
+        <translation>Domina usted esta lección.</translation>
+    </message>
+    <message>
+        <source>Start again? All answers on this device are deleted.</source>
+        <translation>¿Empezar de nuevo? Se borrarán todas las respuestas de este dispositivo.</translation>
+    </message>
+    <message>
+        <source>What you write stays in this browser.</source>
+        <translation>Lo que escribe se queda en este navegador.</translation>
+    </message>
+    <message>
+        <source>Answer to step %1</source>
+        <translation>Respuesta al paso %1</translation>
+    </message>
+    <message>
+        <source>One drawing that is right</source>
+        <translation>Un dibujo correcto</translation>
+    </message>
+    <message>
+        <source>This is drawn in GearGraph: Learn &gt; Lessons. It gives no points here.</source>
+        <translation>Esto se dibuja en GearGraph: Aprender &gt; Lecciones. Aquí no da puntos.</translation>
+    </message>
+    <message>
+        <source>Two lessons have the id &quot;%1&quot;.</source>
+        <translation>Dos lecciones tienen el identificador «%1».</translation>
+    </message>
+    <message>
         <source>Where to begin</source>
         <translation>Por dónde empezar</translation>
     </message>
@@ -8820,24 +8852,20 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>check necesita un archivo.</translation>
     </message>
     <message>
-        <source>list has no options.</source>
-        <translation>list no tiene opciones.</translation>
-    </message>
-    <message>
         <source>%1 lessons, %2 min</source>
         <translation>%1 lecciones, %2 min</translation>
     </message>
     <message>
-        <source>The first word is check or list.</source>
-        <translation>La primera palabra es check o list.</translation>
+        <source>The first word is check, list or make.</source>
+        <translation>La primera palabra es check, list o make.</translation>
     </message>
     <message>
         <source>the findings as JSON</source>
         <translation>los hallazgos como JSON</translation>
     </message>
     <message>
-        <source>Checks lessons: their form, answers and reasons; lists those of the program.</source>
-        <translation>Comprueba lecciones: forma, respuestas y motivos; enumera las del programa.</translation>
+        <source>Checks lessons: their form, answers and reasons; lists those of the program; makes pages of them.</source>
+        <translation>Comprueba lecciones: su forma, respuestas y razones; enumera las del programa; hace páginas de ellas.</translation>
     </message>
     <message>
         <source>A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link export a part of it. Nothing was written.</source>
@@ -14810,6 +14838,22 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Imprimir las preguntas</translation>
     </message>
     <message>
+        <source>Previous step</source>
+        <translation>Paso anterior</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Paso siguiente</translation>
+    </message>
+    <message>
+        <source>Hint %1 of %2</source>
+        <translation>Pista %1 de %2</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Pistas</translation>
+    </message>
+    <message>
         <source>Of the files of %1, %2 counts.</source>
         <translation>De los archivos de %1 cuenta %2.</translation>
     </message>
@@ -14820,6 +14864,30 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
     <message>
         <source>not right: %1</source>
         <translation>no correctas: %1</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html and scorm, not &quot;%1&quot;.</source>
+        <translation>--to enumera formas entre html y scorm, no «%1».</translation>
+    </message>
+    <message>
+        <source>the pages</source>
+        <translation>las páginas</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for lesson %2.</source>
+        <translation>%1 no significa nada en lesson %2.</translation>
+    </message>
+    <message>
+        <source>list needs no file.</source>
+        <translation>list no necesita ningún archivo.</translation>
+    </message>
+    <message>
+        <source>forms: html for browsers, scorm for learning platforms (html)</source>
+        <translation>formas: html para navegadores, scorm para plataformas de aprendizaje (html)</translation>
+    </message>
+    <message>
+        <source>a folder for the pages and packages</source>
+        <translation>una carpeta para las páginas y los paquetes</translation>
     </message>
     <message>
         <source>Start again</source>

@@ -1092,6 +1092,38 @@
         <translation>Yeni soru %1</translation>
     </message>
     <message>
+        <source>%1 of %2 fresh questions right at the first check</source>
+        <translation>%2 yeni sorudan %1 tanesi ilk denetimde doğru</translation>
+    </message>
+    <message>
+        <source>You have mastered this lesson.</source>
+        <translation>Bu dersi öğrendiniz.</translation>
+    </message>
+    <message>
+        <source>Start again? All answers on this device are deleted.</source>
+        <translation>Yeniden başlansın mı? Bu cihazdaki bütün yanıtlar silinir.</translation>
+    </message>
+    <message>
+        <source>What you write stays in this browser.</source>
+        <translation>Yazdıklarınız bu tarayıcıda kalır.</translation>
+    </message>
+    <message>
+        <source>Answer to step %1</source>
+        <translation>%1. adımın yanıtı</translation>
+    </message>
+    <message>
+        <source>One drawing that is right</source>
+        <translation>Doğru bir çizim</translation>
+    </message>
+    <message>
+        <source>This is drawn in GearGraph: Learn &gt; Lessons. It gives no points here.</source>
+        <translation>Bu, GearGraph&apos;ta çizilir: Öğren &gt; Dersler. Burada puan getirmez.</translation>
+    </message>
+    <message>
+        <source>Two lessons have the id &quot;%1&quot;.</source>
+        <translation>İki dersin kimliği &quot;%1&quot;.</translation>
+    </message>
+    <message>
         <source>Where to begin</source>
         <translation>Nereden başlamalı</translation>
     </message>
@@ -8818,24 +8850,20 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>check bir dosya ister.</translation>
     </message>
     <message>
-        <source>list has no options.</source>
-        <translation>list seçenek almaz.</translation>
-    </message>
-    <message>
         <source>%1 lessons, %2 min</source>
         <translation>%1 ders, %2 dk</translation>
     </message>
     <message>
-        <source>The first word is check or list.</source>
-        <translation>İlk sözcük check veya list olur.</translation>
+        <source>The first word is check, list or make.</source>
+        <translation>İlk sözcük check, list ya da make&apos;tir.</translation>
     </message>
     <message>
         <source>the findings as JSON</source>
         <translation>bulgular JSON olarak</translation>
     </message>
     <message>
-        <source>Checks lessons: their form, answers and reasons; lists those of the program.</source>
-        <translation>Dersleri denetler: biçim, yanıtlar ve gerekçeler; programdakileri listeler.</translation>
+        <source>Checks lessons: their form, answers and reasons; lists those of the program; makes pages of them.</source>
+        <translation>Dersleri denetler: biçimlerini, yanıtlarını ve gerekçelerini; programınkileri sıralar; onlardan sayfa yapar.</translation>
     </message>
     <message>
         <source>A train of %1 links has no 3D, which is made of up to %2 links; --gear and --link export a part of it. Nothing was written.</source>
@@ -14808,6 +14836,22 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Soruları yazdır</translation>
     </message>
     <message>
+        <source>Previous step</source>
+        <translation>Önceki adım</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Sonraki adım</translation>
+    </message>
+    <message>
+        <source>Hint %1 of %2</source>
+        <translation>İpucu %1 / %2</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>İpuçları</translation>
+    </message>
+    <message>
         <source>Of the files of %1, %2 counts.</source>
         <translation>%1 adlı öğrencinin dosyalarından %2 sayılır.</translation>
     </message>
@@ -14818,6 +14862,30 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
     <message>
         <source>not right: %1</source>
         <translation>doğru değil: %1</translation>
+    </message>
+    <message>
+        <source>--to lists forms out of html and scorm, not &quot;%1&quot;.</source>
+        <translation>--to, html ve scorm biçimlerini sayar, &quot;%1&quot; biçimini değil.</translation>
+    </message>
+    <message>
+        <source>the pages</source>
+        <translation>sayfalar</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for lesson %2.</source>
+        <translation>%1, lesson %2 için anlamsızdır.</translation>
+    </message>
+    <message>
+        <source>list needs no file.</source>
+        <translation>list dosya istemez.</translation>
+    </message>
+    <message>
+        <source>forms: html for browsers, scorm for learning platforms (html)</source>
+        <translation>biçimler: tarayıcılar için html, öğrenme platformları için scorm (html)</translation>
+    </message>
+    <message>
+        <source>a folder for the pages and packages</source>
+        <translation>sayfalar ve paketler için bir klasör</translation>
     </message>
     <message>
         <source>Start again</source>

@@ -31,6 +31,8 @@ const answer = (page, at, texts) => page.evaluate((question, values) => {
   const wake = field => field.dispatchEvent(new Event('input', {bubbles: true}));
   values.forEach((value, i) => {
     const cell = node.querySelector(`[data-field="${i}"]`);
+    const radio = [...cell.querySelectorAll('input[type=radio]')].find(each => each.value === value);
+    if (radio) return radio.click();
     const field = cell.querySelector('input, select');
     if (field) {
       field.value = value;

@@ -218,7 +218,7 @@ Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetReques
       }
     }
     if (hasPages(request)) {
-      const HandoutExercises exercises{request.plan, mark, sheet, varied.snapshot()->mechanism};
+      const HandoutExercises exercises{request.plan, mark, sheet, varied.snapshot()->mechanism, student};
       const PageWriter pages(varied, exercises, request.folder, stop);
       for (const SheetFileForm form : request.forms) {
         if (!isPage(form)) continue;

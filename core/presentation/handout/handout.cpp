@@ -9,6 +9,7 @@
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/handout/handout_data.h"
 #include "core/presentation/handout/handout_sections.h"
+#include "core/presentation/handout/page_frame.h"
 #include "core/presentation/handout/page_policy.h"
 #include "core/presentation/handout/page_scene.h"
 
@@ -62,10 +63,6 @@ struct Parts {
   }
 };
 
-std::string script(std::string_view text) {
-  return "<script>" + std::string(text) + "</script>\n";
-}
-
 /// The translation of a text that toTranslate() marks, as content of an element or attribute.
 std::string shown(const char* text) {
   return escapedXml(translated(std::string_view(text)));
@@ -82,50 +79,30 @@ std::string navigation(bool hasExercises) {
          (hasExercises ? partLink("exercises", toTranslate("Exercises")) : std::string()) + "</nav>\n";
 }
 
-std::string pageHead(const std::string& title, bool reports) {
-  return "<!DOCTYPE html>\n<html lang=\"" + shown(toTranslate("en")) +
-         "\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-         pagePolicy(reports) + "\">\n<title>" + title +
-         "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n<style>" +
-         std::string(pageStyle()) + "</style>\n</head>\n";
-}
-
-/// What the page does with the network, a note on its solids, and the program that made it.
-std::string footer(bool reports, const std::string& note) {
-  const std::string promise =
-      reports ? translated(
-                    "Tells the learning platform which parts were seen, and points; loads nothing and sends "
-                    "nothing else.")
-              : translated("Works offline: this file loads nothing and sends nothing.");
-  return "<footer>" + escapedXml(promise) + (note.empty() ? "" : " " + escapedXml(note)) + " " +
-         shown(toTranslate("Made by GearGraph.")) + "</footer>\n";
-}
-
 std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title, const Parts& parts,
                       const std::string& note, HandoutUse use) {
   const bool hasScene = !parts.geometry.empty();
   const bool reports = use == HandoutUse::learningPlatform;
-  std::string page = pageHead(title, reports) + "<body>\n<a class=\"skip\" href=\"#drawings\">" +
-                     shown(toTranslate("To the drawings")) + "</a>\n<header>\n<div class=\"title\"><h1>" +
-                     title + "</h1>\n<p>" + escapedXml(counts(snapshot)) + "</p></div>\n</header>\n" +
+  std::string page = pageHead(title, PageKind::handout, reports) +
+                     "<body>\n<a class=\"skip\" href=\"#drawings\">" + shown(toTranslate("To the drawings")) +
+                     "</a>\n<header>\n<div class=\"title\"><h1>" + title + "</h1>\n<p>" +
+                     escapedXml(counts(snapshot)) + "</p></div>\n</header>\n" +
                      navigation(!parts.exercises.empty()) + "<div class=\"columns\">\n<main>\n";
   page += section("drawings", parts.drawings) + section("matrices", parts.matrices) +
           section("derivation", parts.derivation);
   if (!parts.exercises.empty()) page += section("exercises", parts.exercises);
   page += "</main>\n<aside aria-label=\"" + shown(toTranslate("The train and its solution")) + "\">\n";
   if (hasScene) page += section("train", trainSection(parts.still));
-  page += section("solution", parts.solution) + "</aside>\n</div>\n" + footer(reports, note) +
+  page += section("solution", parts.solution) + "</aside>\n</div>\n" + pageFooter(reports, note) +
           "<script type=\"application/json\" id=\"mechanism\">" + parts.data + "</script>\n";
   if (hasScene) {
     page += "<script type=\"application/octet-stream\" id=\"geometry\">" + parts.geometry + "</script>\n" +
-            script(pageLibrary());
+            pageScriptElement(pageLibrary());
   }
   if (!parts.key.empty())
     page += "<script type=\"application/octet-stream\" id=\"exercises-key\">" + parts.key + "</script>\n";
-  page += script(pageScript());
-  if (reports) page += script(pageReporter());
+  page += pageScriptElement(pageScript(PageKind::handout));
+  if (reports) page += pageScriptElement(pageReporter());
   return page + "</body>\n</html>\n";
 }
 
@@ -154,7 +131,8 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
     if (stop.stop_requested()) return std::string();
     if (hasScene) parts.geometry = pageGeometry(train.stage->scene, tolerance);
     parts.data = handoutData(*snapshot, hasScene ? train.stage.get() : nullptr, tolerance, levers, stop);
-    bytes = parts.bytes() + pageStyle().size() + pageScript().size() + (hasScene ? pageLibrary().size() : 0);
+    bytes = parts.bytes() + pageStyle().size() + pageScript(PageKind::handout).size() +
+            (hasScene ? pageLibrary().size() : 0);
     if (bytes <= kMaxHandoutBytes || !hasScene) break;
     note = translated("The wheels are coarse: finer ones would make the file too large.");
   }

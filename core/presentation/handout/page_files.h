@@ -4,7 +4,8 @@
 
 namespace geargraph {
 
-/// The embedded files of a page: style, script, library, and the script that reports to learning platforms.
+/// The embedded files of a page: style, script, library, the script that reports to learning platforms, and
+/// that of lessons.
 [[nodiscard]] std::span<const std::span<const unsigned char>> handoutPageFiles();
 
 }  // namespace geargraph

@@ -27,8 +27,8 @@ std::string_view pageStyle() {
   return pageFile(0);
 }
 
-std::string_view pageScript() {
-  return pageFile(1);
+std::string_view pageScript(PageKind kind) {
+  return pageFile(kind == PageKind::handout ? 1 : 4);
 }
 
 std::string_view pageLibrary() {
@@ -39,9 +39,11 @@ std::string_view pageReporter() {
   return pageFile(3);
 }
 
-std::string pagePolicy(bool reports) {
-  return "default-src 'none'; script-src " + source(GEARGRAPH_SCRIPT_SHA256) + " " +
-         source(GEARGRAPH_LIBRARY_SHA256) +
+std::string pagePolicy(PageKind kind, bool reports) {
+  const std::string scripts = kind == PageKind::handout
+                                  ? source(GEARGRAPH_SCRIPT_SHA256) + " " + source(GEARGRAPH_LIBRARY_SHA256)
+                                  : source(GEARGRAPH_LESSON_SHA256);
+  return "default-src 'none'; script-src " + scripts +
          (reports ? " " + source(GEARGRAPH_REPORTER_SHA256) : std::string()) + "; style-src " +
          source(GEARGRAPH_STYLE_SHA256) + "; img-src data:; base-uri 'none'; form-action 'none'";
 }

@@ -73,7 +73,7 @@ constexpr ScriptText kTexts[] = {
     {"emptyFields", toTranslate("%1 fields are empty: %2.")},
     {"notAnswered", toTranslate("The question is not answered.")},
     {"notAChoice", toTranslate("“%1” is not among what the question offers for %2.")},
-    // exercises.js
+    // exercise.js
     {"cell", toTranslate("Row %1, column %2")},
     {"check", toTranslate("Check")},
     {"tryAgain", toTranslate("Try again")},
@@ -91,6 +91,7 @@ constexpr ScriptText kTexts[] = {
     {"unknownMistake",
      toTranslate("No known mistake explains it. Walk through it once more, or let it be shown.")},
     {"shown", toTranslate("Shown, no points")},
+    // exercises.js
     {"drawingOf", toTranslate("%1 of the mechanism")},
     {"scoreOfOne", toTranslate("%1 of 1 point; %2 of %3 checked")},
     {"scoreOf", toTranslate("%1 of %2 points; %3 of %4 checked")},
@@ -104,6 +105,17 @@ constexpr ScriptText kTexts[] = {
     {"name", toTranslate("Name")},
     {"kept", toTranslate("What you write stays in this browser. Saved answers are a small file to hand in.")},
     {"cannotGrade", toTranslate("This browser cannot grade the answers (%1): write them on paper.")},
+    // lesson.js
+    {"stepOf", toTranslate("Step %1 of %2")},
+    {"stepBefore", toTranslate("Previous step")},
+    {"nextStep", toTranslate("Next step")},
+    {"hintOf", toTranslate("Hint %1 of %2")},
+    {"freshOf", toTranslate("Fresh question %1")},
+    {"freshRight", toTranslate("%1 of %2 fresh questions right at the first check")},
+    {"lessonScore", toTranslate("%1 of %2 points")},
+    {"mastered", toTranslate("You have mastered this lesson.")},
+    {"lessonAgainSure", toTranslate("Start again? All answers on this device are deleted.")},
+    {"lessonKept", toTranslate("What you write stays in this browser.")},
 };
 
 }  // namespace
