@@ -2262,10 +2262,6 @@
         <translation>Die Dokumente vom letzten Mal öffnen, wenn das Programm ohne eines startet</translation>
     </message>
     <message>
-        <source>&amp;Export matrix as CSV…</source>
-        <translation>&amp;Matrix als CSV exportieren …</translation>
-    </message>
-    <message>
         <source>Export the matrix that is shown, with its labels</source>
         <translation>Die gezeigte Matrix mit Zeilen- und Spaltennamen exportieren</translation>
     </message>
@@ -2280,6 +2276,282 @@
     <message>
         <source>Export &amp;derivation…</source>
         <translation>&amp;Herleitung exportieren …</translation>
+    </message>
+    <message>
+        <source>Print and text</source>
+        <translation>Druck und Text</translation>
+    </message>
+    <message>
+        <source>CAD and making</source>
+        <translation>CAD und Fertigung</translation>
+    </message>
+    <message>
+        <source>Simulators and control</source>
+        <translation>Simulatoren und Regelung</translation>
+    </message>
+    <message>
+        <source>Web and class</source>
+        <translation>Web und Unterricht</translation>
+    </message>
+    <message>
+        <source>Data and graphs</source>
+        <translation>Daten und Graphen</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>of the link between</source>
+        <translation>von der die das des zwischen glied</translation>
+    </message>
+    <message>
+        <source>to and against</source>
+        <translation>zu und gegen</translation>
+    </message>
+    <message>
+        <source>A ratio holds the answer: it is told when the step is right or shown.</source>
+        <translation>Eine Übersetzung enthält die Antwort: Sie wird genannt, wenn der Schritt richtig oder gezeigt ist.</translation>
+    </message>
+    <message>
+        <source>Enter selects both.</source>
+        <translation>Die Eingabetaste wählt beide aus.</translation>
+    </message>
+    <message>
+        <source>Exactly, in every motion: %1 turns %3 times as fast as %2, the other way round.</source>
+        <translation>Exakt, in jeder Bewegung: %1 dreht sich %3-mal so schnell wie %2, andersherum.</translation>
+    </message>
+    <message>
+        <source>Exactly, in every motion: %1 turns %3 times as fast as %2, the same way round.</source>
+        <translation>Exakt, in jeder Bewegung: %1 dreht sich %3-mal so schnell wie %2, gleichsinnig.</translation>
+    </message>
+    <message>
+        <source>With the speeds that the inputs have now: with others it is another.</source>
+        <translation>Bei den jetzigen Geschwindigkeiten der Antriebe: bei anderen ist sie eine andere.</translation>
+    </message>
+    <message>
+        <source>There is no ratio to %1, which stands still.</source>
+        <translation>Zu %1 gibt es keine Übersetzung: Es steht still.</translation>
+    </message>
+    <message>
+        <source>They turn about axes that are not parallel, or about several at once: the results have their speeds about each axis.</source>
+        <translation>Sie drehen sich um Achsen, die nicht parallel sind, oder um mehrere zugleich: Die Ergebnisse nennen ihre Geschwindigkeiten um jede Achse.</translation>
+    </message>
+    <message>
+        <source>There is no exact solution now: Problems says what is missing.</source>
+        <translation>Jetzt gibt es keine exakte Lösung: Probleme sagt, was fehlt.</translation>
+    </message>
+    <message>
+        <source>Hold %1 with a brake</source>
+        <translation>%1 mit einer Bremse halten</translation>
+    </message>
+    <message>
+        <source>Release the brake of %1</source>
+        <translation>Die Bremse von %1 lösen</translation>
+    </message>
+    <message>
+        <source>Its brake is engaged already.</source>
+        <translation>Seine Bremse ist schon geschlossen.</translation>
+    </message>
+    <message>
+        <source>No brake holds it.</source>
+        <translation>Keine Bremse hält es.</translation>
+    </message>
+    <message>
+        <source>Changes the document; one step back (Ctrl+Z) undoes it.</source>
+        <translation>Ändert das Dokument; ein Schritt zurück (Strg+Z) macht es rückgängig.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2 teeth on link %3, %4 on link %5</source>
+        <translation>Eingriff %1: %2 Zähne an Glied %3, %4 an Glied %5</translation>
+    </message>
+    <message>
+        <source>now %1 : %2</source>
+        <translation>jetzt %1 : %2</translation>
+    </message>
+    <message>
+        <source>It has these teeth already.</source>
+        <translation>Er hat diese Zähne schon.</translation>
+    </message>
+    <message>
+        <source>ratio i</source>
+        <translation>übersetzung verhältnis i</translation>
+    </message>
+    <message>
+        <source>hold brake fix</source>
+        <translation>halte halten bremse bremsen</translation>
+    </message>
+    <message>
+        <source>release free</source>
+        <translation>löse lösen freigeben</translation>
+    </message>
+    <message>
+        <source>teeth z</source>
+        <translation>zähne z</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>edit</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options, and see first what will be written</source>
+        <translation>Graphen, Matrizen, Herleitungen, Zeichnungen, Bilder, Körper und Modelle für andere Programme exportieren, mit allen Einstellungen, und vorher sehen, was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Export &amp;matrix as CSV…</source>
+        <translation>&amp;Matrix als CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>All panels back to their places, in this window and in those to come</source>
+        <translation>Alle Bereiche zurück an ihre Plätze, in diesem und in künftigen Fenstern</translation>
+    </message>
+    <message>
+        <source>&amp;Handout for the class</source>
+        <translation>Handout für die &amp;Klasse</translation>
+    </message>
+    <message>
+        <source>Writes a page for any browser beside the document, at once: drawings, matrices, derivation and the train in 3D, with inputs that move</source>
+        <translation>Schreibt sofort eine Seite für jeden Browser neben das Dokument: Zeichnungen, Matrizen, Herleitung und das Getriebe in 3D, mit beweglichen Antrieben</translation>
+    </message>
+    <message>
+        <source>mechanism</source>
+        <translation>Mechanismus</translation>
+    </message>
+    <message>
+        <source>What is it for?</source>
+        <translation>Wofür?</translation>
+    </message>
+    <message>
+        <source>Sets all options of this format back to what holds without them</source>
+        <translation>Setzt alle Einstellungen dieses Formats auf das zurück, was ohne sie gilt</translation>
+    </message>
+    <message>
+        <source>Asks where, and writes it</source>
+        <translation>Fragt wohin, und schreibt es</translation>
+    </message>
+    <message>
+        <source>%1 (a folder with %2 files, %3)</source>
+        <translation>%1 (ein Ordner mit %2 Dateien, %3)</translation>
+    </message>
+    <message>
+        <source>Exported %1 into %2.</source>
+        <translation>%1 nach %2 exportiert.</translation>
+    </message>
+    <message>
+        <source>Opens it with the program of this kind of file</source>
+        <translation>Öffnet es mit dem Programm für solche Dateien</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Opens the folder it is in</source>
+        <translation>Öffnet den Ordner, in dem es liegt</translation>
+    </message>
+    <message>
+        <source>The file stays where it is</source>
+        <translation>Die Datei bleibt, wo sie ist</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there.</source>
+        <translation>%1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>No program opens %1 here.</source>
+        <translation>Kein Programm öffnet hier %1.</translation>
+    </message>
+    <message>
+        <source>Show what would be written</source>
+        <translation>Zeigen, was geschrieben würde</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Working out what would be written…</source>
+        <translation>Was geschrieben würde, wird ermittelt …</translation>
+    </message>
+    <message>
+        <source>Makes the files without keeping them: with a train as large as this it takes a while</source>
+        <translation>Macht die Dateien, ohne sie zu behalten: bei einem so großen Getriebe dauert es eine Weile</translation>
+    </message>
+    <message>
+        <source>Files that would be written</source>
+        <translation>Dateien, die geschrieben würden</translation>
+    </message>
+    <message>
+        <source>Beginning of the file</source>
+        <translation>Anfang der Datei</translation>
+    </message>
+    <message>
+        <source>Picture of what would be written</source>
+        <translation>Bild dessen, was geschrieben würde</translation>
+    </message>
+    <message>
+        <source>Working out what would be written: %1 %</source>
+        <translation>Was geschrieben würde, wird ermittelt: %1 %</translation>
+    </message>
+    <message>
+        <source>Made with all its pictures when it is exported. This is one of them.</source>
+        <translation>Beim Export werden alle Bilder gemacht. Dies ist eines davon.</translation>
+    </message>
+    <message>
+        <source>A folder with %1 files, %2</source>
+        <translation>Ein Ordner mit %1 Dateien, %2</translation>
+    </message>
+    <message>
+        <source>%1 files, %2</source>
+        <translation>%1 Dateien, %2</translation>
+    </message>
+    <message>
+        <source>A file for programs: nothing of it is read by people.</source>
+        <translation>Eine Datei für Programme: Menschen lesen nichts daraus.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Erneut exp&amp;ortieren</translation>
+    </message>
+    <message>
+        <source>Writes %1 again, with the same options</source>
+        <translation>Schreibt %1 noch einmal, mit denselben Einstellungen</translation>
+    </message>
+    <message>
+        <source>This document has not been exported yet</source>
+        <translation>Dieses Dokument ist noch nicht exportiert worden</translation>
+    </message>
+    <message>
+        <source>Exports of this document by File &gt; Export are listed here</source>
+        <translation>Hier stehen die Exporte dieses Dokuments durch Datei &gt; Exportieren</translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be made.</source>
+        <translation>Der Ordner %1 konnte nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>GearGraph: keyboard shortcuts</source>
+        <translation>GearGraph: Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>On one page, also into a PDF file</source>
+        <translation>Auf einer Seite, auch in eine PDF-Datei</translation>
+    </message>
+    <message>
+        <source>The two methods differ at one joint. Please report this document.</source>
+        <translation>Die beiden Verfahren unterscheiden sich an einem Gelenk. Bitte melden Sie dieses Dokument.</translation>
     </message>
     <message>
         <source>Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown</source>
@@ -2592,10 +2864,6 @@
     <message>
         <source>&amp;Reset the layout</source>
         <translation>Anordnung &amp;zurücksetzen</translation>
-    </message>
-    <message>
-        <source>All panels back to their places</source>
-        <translation>Alle Bereiche zurück an ihre Plätze</translation>
     </message>
     <message>
         <source>Look &amp;up a term…</source>
@@ -15957,10 +16225,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Export in any format…</source>
-        <translation>In einem Format exportieren…</translation>
-    </message>
-    <message>
         <source>This is no certificate of teeth.</source>
         <translation>Dies ist kein Zertifikat über Zähne.</translation>
     </message>
@@ -17599,10 +17863,6 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
         <translation>Eine Lektion: was gefragt ist, Ihre Antwort, Hinweise, und der Grund, wo sie falsch ist.</translation>
-    </message>
-    <message>
-        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
-        <translation>Graphen, Matrizen, Herleitungen, Zeichnungen, Bilder, Körper und Modelle für andere Programme exportieren, mit allen Einstellungen</translation>
     </message>
     <message>
         <source>Up and Down, Tab</source>

@@ -2262,10 +2262,6 @@
         <translation>Abrir los documentos de la última vez cuando el programa arranca sin ninguno</translation>
     </message>
     <message>
-        <source>&amp;Export matrix as CSV…</source>
-        <translation>Exportar matri&amp;z como CSV…</translation>
-    </message>
-    <message>
         <source>Export the matrix that is shown, with its labels</source>
         <translation>Exportar la matriz que se muestra, con sus etiquetas</translation>
     </message>
@@ -2280,6 +2276,282 @@
     <message>
         <source>Export &amp;derivation…</source>
         <translation>Exportar &amp;deducción…</translation>
+    </message>
+    <message>
+        <source>Print and text</source>
+        <translation>Impresión y texto</translation>
+    </message>
+    <message>
+        <source>CAD and making</source>
+        <translation>CAD y fabricación</translation>
+    </message>
+    <message>
+        <source>Simulators and control</source>
+        <translation>Simuladores y control</translation>
+    </message>
+    <message>
+        <source>Web and class</source>
+        <translation>Web y clase</translation>
+    </message>
+    <message>
+        <source>Data and graphs</source>
+        <translation>Datos y grafos</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Paso %1</translation>
+    </message>
+    <message>
+        <source>of the link between</source>
+        <translation>de del la el entre eslabón</translation>
+    </message>
+    <message>
+        <source>to and against</source>
+        <translation>a y contra</translation>
+    </message>
+    <message>
+        <source>A ratio holds the answer: it is told when the step is right or shown.</source>
+        <translation>Una relación contiene la respuesta: se dice cuando el paso está bien o se ha mostrado.</translation>
+    </message>
+    <message>
+        <source>Enter selects both.</source>
+        <translation>Intro selecciona ambos.</translation>
+    </message>
+    <message>
+        <source>Exactly, in every motion: %1 turns %3 times as fast as %2, the other way round.</source>
+        <translation>Exactamente, en todo movimiento: %1 gira %3 veces tan rápido como %2, en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>Exactly, in every motion: %1 turns %3 times as fast as %2, the same way round.</source>
+        <translation>Exactamente, en todo movimiento: %1 gira %3 veces tan rápido como %2, en el mismo sentido.</translation>
+    </message>
+    <message>
+        <source>With the speeds that the inputs have now: with others it is another.</source>
+        <translation>Con las velocidades actuales de las entradas: con otras es otra.</translation>
+    </message>
+    <message>
+        <source>There is no ratio to %1, which stands still.</source>
+        <translation>No hay relación con %1, que está parado.</translation>
+    </message>
+    <message>
+        <source>They turn about axes that are not parallel, or about several at once: the results have their speeds about each axis.</source>
+        <translation>Giran en torno a ejes que no son paralelos, o a varios a la vez: los resultados dan sus velocidades en cada eje.</translation>
+    </message>
+    <message>
+        <source>There is no exact solution now: Problems says what is missing.</source>
+        <translation>Ahora no hay solución exacta: Problemas dice qué falta.</translation>
+    </message>
+    <message>
+        <source>Hold %1 with a brake</source>
+        <translation>Retener %1 con un freno</translation>
+    </message>
+    <message>
+        <source>Release the brake of %1</source>
+        <translation>Liberar el freno de %1</translation>
+    </message>
+    <message>
+        <source>Its brake is engaged already.</source>
+        <translation>Su freno ya está activado.</translation>
+    </message>
+    <message>
+        <source>No brake holds it.</source>
+        <translation>Ningún freno lo retiene.</translation>
+    </message>
+    <message>
+        <source>Changes the document; one step back (Ctrl+Z) undoes it.</source>
+        <translation>Cambia el documento; un paso atrás (Ctrl+Z) lo deshace.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2 teeth on link %3, %4 on link %5</source>
+        <translation>Engrane %1: %2 dientes en el eslabón %3, %4 en el eslabón %5</translation>
+    </message>
+    <message>
+        <source>now %1 : %2</source>
+        <translation>ahora %1 : %2</translation>
+    </message>
+    <message>
+        <source>It has these teeth already.</source>
+        <translation>Ya tiene estos dientes.</translation>
+    </message>
+    <message>
+        <source>ratio i</source>
+        <translation>relación i</translation>
+    </message>
+    <message>
+        <source>hold brake fix</source>
+        <translation>retener frenar sujetar</translation>
+    </message>
+    <message>
+        <source>release free</source>
+        <translation>liberar soltar</translation>
+    </message>
+    <message>
+        <source>teeth z</source>
+        <translation>dientes z</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>respuesta</translation>
+    </message>
+    <message>
+        <source>edit</source>
+        <translation>cambio</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>Expor&amp;tar…</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options, and see first what will be written</source>
+        <translation>Exportar grafos, matrices, deducciones, dibujos, imágenes, sólidos y modelos para otros programas, con todas sus opciones, y ver antes qué se escribirá</translation>
+    </message>
+    <message>
+        <source>Export &amp;matrix as CSV…</source>
+        <translation>Exportar matri&amp;z como CSV…</translation>
+    </message>
+    <message>
+        <source>All panels back to their places, in this window and in those to come</source>
+        <translation>Todos los paneles de nuevo en su sitio, en esta ventana y en las próximas</translation>
+    </message>
+    <message>
+        <source>&amp;Handout for the class</source>
+        <translation>&amp;Folleto para la clase</translation>
+    </message>
+    <message>
+        <source>Writes a page for any browser beside the document, at once: drawings, matrices, derivation and the train in 3D, with inputs that move</source>
+        <translation>Escribe enseguida, junto al documento, una página para cualquier navegador: dibujos, matrices, deducción y el tren en 3D, con entradas que se mueven</translation>
+    </message>
+    <message>
+        <source>mechanism</source>
+        <translation>mecanismo</translation>
+    </message>
+    <message>
+        <source>What is it for?</source>
+        <translation>¿Para qué?</translation>
+    </message>
+    <message>
+        <source>Sets all options of this format back to what holds without them</source>
+        <translation>Devuelve todas las opciones de este formato a lo que vale sin ellas</translation>
+    </message>
+    <message>
+        <source>Asks where, and writes it</source>
+        <translation>Pregunta dónde y lo escribe</translation>
+    </message>
+    <message>
+        <source>%1 (a folder with %2 files, %3)</source>
+        <translation>%1 (una carpeta con %2 archivos, %3)</translation>
+    </message>
+    <message>
+        <source>Exported %1 into %2.</source>
+        <translation>%1 se ha exportado a %2.</translation>
+    </message>
+    <message>
+        <source>Opens it with the program of this kind of file</source>
+        <translation>Lo abre con el programa de este tipo de archivo</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Mostrar en la carpeta</translation>
+    </message>
+    <message>
+        <source>Opens the folder it is in</source>
+        <translation>Abre la carpeta en la que está</translation>
+    </message>
+    <message>
+        <source>The file stays where it is</source>
+        <translation>El archivo se queda donde está</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there.</source>
+        <translation>%1 ya no está.</translation>
+    </message>
+    <message>
+        <source>No program opens %1 here.</source>
+        <translation>Ningún programa abre %1 aquí.</translation>
+    </message>
+    <message>
+        <source>Show what would be written</source>
+        <translation>Mostrar qué se escribiría</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Working out what would be written…</source>
+        <translation>Se averigua qué se escribiría…</translation>
+    </message>
+    <message>
+        <source>Makes the files without keeping them: with a train as large as this it takes a while</source>
+        <translation>Hace los archivos sin conservarlos: con un tren tan grande tarda un rato</translation>
+    </message>
+    <message>
+        <source>Files that would be written</source>
+        <translation>Archivos que se escribirían</translation>
+    </message>
+    <message>
+        <source>Beginning of the file</source>
+        <translation>Comienzo del archivo</translation>
+    </message>
+    <message>
+        <source>Picture of what would be written</source>
+        <translation>Imagen de lo que se escribiría</translation>
+    </message>
+    <message>
+        <source>Working out what would be written: %1 %</source>
+        <translation>Se averigua qué se escribiría: %1 %</translation>
+    </message>
+    <message>
+        <source>Made with all its pictures when it is exported. This is one of them.</source>
+        <translation>Al exportar se hacen todas las imágenes. Esta es una de ellas.</translation>
+    </message>
+    <message>
+        <source>A folder with %1 files, %2</source>
+        <translation>Una carpeta con %1 archivos, %2</translation>
+    </message>
+    <message>
+        <source>%1 files, %2</source>
+        <translation>%1 archivos, %2</translation>
+    </message>
+    <message>
+        <source>A file for programs: nothing of it is read by people.</source>
+        <translation>Un archivo para programas: las personas no leen nada de él.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Exportar de n&amp;uevo</translation>
+    </message>
+    <message>
+        <source>Writes %1 again, with the same options</source>
+        <translation>Escribe %1 de nuevo, con las mismas opciones</translation>
+    </message>
+    <message>
+        <source>This document has not been exported yet</source>
+        <translation>Este documento aún no se ha exportado</translation>
+    </message>
+    <message>
+        <source>Exports of this document by File &gt; Export are listed here</source>
+        <translation>Aquí están las exportaciones de este documento por Archivo &gt; Exportar</translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be made.</source>
+        <translation>No se pudo crear la carpeta %1.</translation>
+    </message>
+    <message>
+        <source>GearGraph: keyboard shortcuts</source>
+        <translation>GearGraph: atajos de teclado</translation>
+    </message>
+    <message>
+        <source>On one page, also into a PDF file</source>
+        <translation>En una página, también en un archivo PDF</translation>
+    </message>
+    <message>
+        <source>The two methods differ at one joint. Please report this document.</source>
+        <translation>Los dos métodos difieren en un par. Por favor, comunique este documento.</translation>
     </message>
     <message>
         <source>Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown</source>
@@ -2592,10 +2864,6 @@
     <message>
         <source>&amp;Reset the layout</source>
         <translation>&amp;Restablecer la disposición</translation>
-    </message>
-    <message>
-        <source>All panels back to their places</source>
-        <translation>Todos los paneles a sus lugares</translation>
     </message>
     <message>
         <source>Look &amp;up a term…</source>
@@ -15957,10 +16225,6 @@ J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>Export in any format…</source>
-        <translation>Exportar en un formato…</translation>
-    </message>
-    <message>
         <source>This is no certificate of teeth.</source>
         <translation>Esto no es un certificado de dientes.</translation>
     </message>
@@ -17599,10 +17863,6 @@ pares / portasatélites: %3</translation>
     <message>
         <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
         <translation>Una lección: lo que se pregunta, su respuesta, pistas y la razón si está mal.</translation>
-    </message>
-    <message>
-        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
-        <translation>Exportar grafos, matrices, deducciones, dibujos, imágenes, sólidos y modelos para otros programas, con todas sus opciones</translation>
     </message>
     <message>
         <source>Up and Down, Tab</source>

@@ -2260,10 +2260,6 @@
         <translation>Program belgesiz başlarsa son kullanımın belgelerini aç</translation>
     </message>
     <message>
-        <source>&amp;Export matrix as CSV…</source>
-        <translation>&amp;Matrisi CSV olarak dışa aktar…</translation>
-    </message>
-    <message>
         <source>Export the matrix that is shown, with its labels</source>
         <translation>Gösterilen matrisi etiketleriyle dışa aktar</translation>
     </message>
@@ -2278,6 +2274,282 @@
     <message>
         <source>Export &amp;derivation…</source>
         <translation>&amp;Türetimi dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Print and text</source>
+        <translation>Baskı ve metin</translation>
+    </message>
+    <message>
+        <source>CAD and making</source>
+        <translation>CAD ve üretim</translation>
+    </message>
+    <message>
+        <source>Simulators and control</source>
+        <translation>Benzetim ve kontrol</translation>
+    </message>
+    <message>
+        <source>Web and class</source>
+        <translation>Web ve sınıf</translation>
+    </message>
+    <message>
+        <source>Data and graphs</source>
+        <translation>Veri ve graflar</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Adım %1</translation>
+    </message>
+    <message>
+        <source>of the link between</source>
+        <translation>uzuv uzvun arasında</translation>
+    </message>
+    <message>
+        <source>to and against</source>
+        <translation>ile ve göre</translation>
+    </message>
+    <message>
+        <source>A ratio holds the answer: it is told when the step is right or shown.</source>
+        <translation>Oran yanıtı içerir: adım doğru ya da gösterilmiş olunca söylenir.</translation>
+    </message>
+    <message>
+        <source>Enter selects both.</source>
+        <translation>Enter ikisini de seçer.</translation>
+    </message>
+    <message>
+        <source>Exactly, in every motion: %1 turns %3 times as fast as %2, the other way round.</source>
+        <translation>Tam olarak, her harekette: %1, %2 ile karşılaştırıldığında %3 katı hızla, ters yönde döner.</translation>
+    </message>
+    <message>
+        <source>Exactly, in every motion: %1 turns %3 times as fast as %2, the same way round.</source>
+        <translation>Tam olarak, her harekette: %1, %2 ile karşılaştırıldığında %3 katı hızla, aynı yönde döner.</translation>
+    </message>
+    <message>
+        <source>With the speeds that the inputs have now: with others it is another.</source>
+        <translation>Girişlerin şimdiki hızlarıyla: başka hızlarla başka olur.</translation>
+    </message>
+    <message>
+        <source>There is no ratio to %1, which stands still.</source>
+        <translation>%1 durduğundan ona göre oran yoktur.</translation>
+    </message>
+    <message>
+        <source>They turn about axes that are not parallel, or about several at once: the results have their speeds about each axis.</source>
+        <translation>Paralel olmayan eksenler ya da aynı anda birkaç eksen çevresinde dönerler: sonuçlarda her eksen çevresindeki hızları vardır.</translation>
+    </message>
+    <message>
+        <source>There is no exact solution now: Problems says what is missing.</source>
+        <translation>Şimdi tam çözüm yok: Sorunlar neyin eksik olduğunu söyler.</translation>
+    </message>
+    <message>
+        <source>Hold %1 with a brake</source>
+        <translation>%1 frenle tutulsun</translation>
+    </message>
+    <message>
+        <source>Release the brake of %1</source>
+        <translation>%1 freni ayrılsın</translation>
+    </message>
+    <message>
+        <source>Its brake is engaged already.</source>
+        <translation>Freni zaten devrede.</translation>
+    </message>
+    <message>
+        <source>No brake holds it.</source>
+        <translation>Hiçbir fren onu tutmuyor.</translation>
+    </message>
+    <message>
+        <source>Changes the document; one step back (Ctrl+Z) undoes it.</source>
+        <translation>Belgeyi değiştirir; bir adım geri (Ctrl+Z) onu geri alır.</translation>
+    </message>
+    <message>
+        <source>Mesh %1: %2 teeth on link %3, %4 on link %5</source>
+        <translation>Çift %1: uzuv %3 üzerinde %2 diş, uzuv %5 üzerinde %4</translation>
+    </message>
+    <message>
+        <source>now %1 : %2</source>
+        <translation>şimdi %1 : %2</translation>
+    </message>
+    <message>
+        <source>It has these teeth already.</source>
+        <translation>Zaten bu dişleri var.</translation>
+    </message>
+    <message>
+        <source>ratio i</source>
+        <translation>oran i</translation>
+    </message>
+    <message>
+        <source>hold brake fix</source>
+        <translation>tut frenle sabitle</translation>
+    </message>
+    <message>
+        <source>release free</source>
+        <translation>ayır bırak</translation>
+    </message>
+    <message>
+        <source>teeth z</source>
+        <translation>diş dişler z</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>yanıt</translation>
+    </message>
+    <message>
+        <source>edit</source>
+        <translation>değişiklik</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>Dı&amp;şa aktar…</translation>
+    </message>
+    <message>
+        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options, and see first what will be written</source>
+        <translation>Grafları, matrisleri, türetmeleri, çizimleri, resimleri, katıları ve başka programlar için modelleri bütün seçenekleriyle dışa aktar; ne yazılacağını önceden gör</translation>
+    </message>
+    <message>
+        <source>Export &amp;matrix as CSV…</source>
+        <translation>&amp;Matrisi CSV olarak dışa aktar…</translation>
+    </message>
+    <message>
+        <source>All panels back to their places, in this window and in those to come</source>
+        <translation>Bütün paneller yerlerine, bu pencerede ve sonrakilerde</translation>
+    </message>
+    <message>
+        <source>&amp;Handout for the class</source>
+        <translation>&amp;Sınıf için ders notu</translation>
+    </message>
+    <message>
+        <source>Writes a page for any browser beside the document, at once: drawings, matrices, derivation and the train in 3D, with inputs that move</source>
+        <translation>Belgenin yanına hemen her tarayıcı için bir sayfa yazar: çizimler, matrisler, türetim ve 3B dişli takımı, hareket eden girişlerle</translation>
+    </message>
+    <message>
+        <source>mechanism</source>
+        <translation>mekanizma</translation>
+    </message>
+    <message>
+        <source>What is it for?</source>
+        <translation>Ne için?</translation>
+    </message>
+    <message>
+        <source>Sets all options of this format back to what holds without them</source>
+        <translation>Bu biçimin bütün seçeneklerini onlarsız geçerli olana döndürür</translation>
+    </message>
+    <message>
+        <source>Asks where, and writes it</source>
+        <translation>Nereye olduğunu sorar ve yazar</translation>
+    </message>
+    <message>
+        <source>%1 (a folder with %2 files, %3)</source>
+        <translation>%1 (%2 dosyalı klasör, %3)</translation>
+    </message>
+    <message>
+        <source>Exported %1 into %2.</source>
+        <translation>%1, %2 içine aktarıldı.</translation>
+    </message>
+    <message>
+        <source>Opens it with the program of this kind of file</source>
+        <translation>Bu tür dosyanın programıyla açar</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Klasörde göster</translation>
+    </message>
+    <message>
+        <source>Opens the folder it is in</source>
+        <translation>Bulunduğu klasörü açar</translation>
+    </message>
+    <message>
+        <source>The file stays where it is</source>
+        <translation>Dosya olduğu yerde kalır</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there.</source>
+        <translation>%1 artık yok.</translation>
+    </message>
+    <message>
+        <source>No program opens %1 here.</source>
+        <translation>Burada %1 dosyasını açan program yok.</translation>
+    </message>
+    <message>
+        <source>Show what would be written</source>
+        <translation>Ne yazılacağını göster</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Working out what would be written…</source>
+        <translation>Ne yazılacağı bulunuyor…</translation>
+    </message>
+    <message>
+        <source>Makes the files without keeping them: with a train as large as this it takes a while</source>
+        <translation>Dosyaları saklamadan yapar: bu kadar büyük bir dişli takımında biraz sürer</translation>
+    </message>
+    <message>
+        <source>Files that would be written</source>
+        <translation>Yazılacak dosyalar</translation>
+    </message>
+    <message>
+        <source>Beginning of the file</source>
+        <translation>Dosyanın başı</translation>
+    </message>
+    <message>
+        <source>Picture of what would be written</source>
+        <translation>Yazılacak olanın resmi</translation>
+    </message>
+    <message>
+        <source>Working out what would be written: %1 %</source>
+        <translation>Ne yazılacağı bulunuyor: %1 %</translation>
+    </message>
+    <message>
+        <source>Made with all its pictures when it is exported. This is one of them.</source>
+        <translation>Dışa aktarınca bütün resimler yapılır. Bu onlardan biridir.</translation>
+    </message>
+    <message>
+        <source>A folder with %1 files, %2</source>
+        <translation>%1 dosyalı klasör, %2</translation>
+    </message>
+    <message>
+        <source>%1 files, %2</source>
+        <translation>%1 dosya, %2</translation>
+    </message>
+    <message>
+        <source>A file for programs: nothing of it is read by people.</source>
+        <translation>Programlar için bir dosya: insanlar ondan bir şey okumaz.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Bir da&amp;ha dışa aktar</translation>
+    </message>
+    <message>
+        <source>Writes %1 again, with the same options</source>
+        <translation>%1 dosyasını aynı seçeneklerle yeniden yazar</translation>
+    </message>
+    <message>
+        <source>This document has not been exported yet</source>
+        <translation>Bu belge henüz dışa aktarılmadı</translation>
+    </message>
+    <message>
+        <source>Exports of this document by File &gt; Export are listed here</source>
+        <translation>Bu belgenin Dosya &gt; Dışa aktar ile yapılan aktarımları burada listelenir</translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be made.</source>
+        <translation>%1 klasörü oluşturulamadı.</translation>
+    </message>
+    <message>
+        <source>GearGraph: keyboard shortcuts</source>
+        <translation>GearGraph: klavye kısayolları</translation>
+    </message>
+    <message>
+        <source>On one page, also into a PDF file</source>
+        <translation>Bir sayfada, PDF dosyasına da</translation>
+    </message>
+    <message>
+        <source>The two methods differ at one joint. Please report this document.</source>
+        <translation>İki yöntem bir mafsalda farklı. Lütfen bu belgeyi bildirin.</translation>
     </message>
     <message>
         <source>Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown</source>
@@ -2590,10 +2862,6 @@
     <message>
         <source>&amp;Reset the layout</source>
         <translation>Ye&amp;rleşimi sıfırla</translation>
-    </message>
-    <message>
-        <source>All panels back to their places</source>
-        <translation>Bütün paneller yerlerine</translation>
     </message>
     <message>
         <source>Look &amp;up a term…</source>
@@ -15955,10 +16223,6 @@ Tsai, Lin, J. Mech. Transm. Autom. Des. 111(4), 1989, 524.</translation>
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>Export in any format…</source>
-        <translation>Biçim seçerek dışa aktar…</translation>
-    </message>
-    <message>
         <source>This is no certificate of teeth.</source>
         <translation>Bu bir diş sertifikası değil.</translation>
     </message>
@@ -17597,10 +17861,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
         <translation>Bir ders: ne sorulduğu, yanıtınız, ipuçları ve yanlışsa nedeni.</translation>
-    </message>
-    <message>
-        <source>Export graphs, matrices, derivations, drawings, pictures, solids and models for other programs, with all their options</source>
-        <translation>Grafları, matrisleri, türetmeleri, çizimleri, resimleri, katıları ve başka programlar için modelleri bütün seçenekleriyle dışa aktar</translation>
     </message>
     <message>
         <source>Up and Down, Tab</source>

@@ -23,6 +23,8 @@ class EditCommand final : public QUndoCommand {
   EditCommand(Document& document, const PlacedMechanism& after, const Edit& edit)
       : QUndoCommand(edit.text),
         m_document(document),
+        m_words(edit.text),
+        m_language(document.m_language),
         m_before(document.mechanism()),
         m_after(after.pointer()),
         m_unpublished(after),
@@ -30,6 +32,8 @@ class EditCommand final : public QUndoCommand {
   EditCommand(const EditCommand& other)
       : QUndoCommand(other.text()),
         m_document(other.m_document),
+        m_words(other.m_words),
+        m_language(other.m_language),
         m_before(other.m_before),
         m_after(other.m_after),
         m_gesture(other.m_gesture),
@@ -46,6 +50,9 @@ class EditCommand final : public QUndoCommand {
     m_document.m_historyBytes += bytes();
   }
   [[nodiscard]] bool isEmpty() const { return m_patch->isEmpty(); }
+  void speak(const QString& language, int number) {
+    setText(language == m_language ? m_words : Document::tr("Step %1").arg(number));
+  }
   /// Will a further step of this gesture be merged with this one, which knows what was before it?
   [[nodiscard]] bool takes(const Edit& next) const {
     return next.gesture != 0 && next.gesture == m_gesture && !m_before.expired() &&
@@ -85,6 +92,8 @@ class EditCommand final : public QUndoCommand {
   }
 
   Document& m_document;
+  QString m_words;  ///< of the edit, in its language
+  QString m_language;
   std::weak_ptr<const Mechanism> m_before;
   std::weak_ptr<const Mechanism> m_after;
   std::optional<PlacedMechanism> m_unpublished;  ///< until the step is first taken
@@ -98,6 +107,15 @@ Document::Document(QObject* parent)
       m_geometry(std::make_shared<const DerivedGeometry>(m_placed)) {
   connect(&m_undoStack, &QUndoStack::cleanChanged, this,
           [this](bool clean) { emit modifiedChanged(!clean); });
+}
+
+void Document::setHistoryLanguage(const QString& code) {
+  if (code == m_language) return;
+  m_language = code;
+  // The stack hands its commands out as constant ones, though they are this document's.
+  for (int i = 0; i < m_undoStack.count(); ++i)
+    const_cast<EditCommand*>(static_cast<const EditCommand*>(m_undoStack.command(i)))  // NOLINT
+        ->speak(code, i + 1);
 }
 
 const ElementIndex& Document::elements() const {

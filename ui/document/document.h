@@ -103,6 +103,10 @@ class Document : public QObject {
   /// Replaces the document, for New and Open, and clears the history.
   void replace(Mechanism mechanism, const QString& filePath);
 
+  /// The language that texts of edits have from now on, by its letters. Steps that were named in another one
+  /// are called by their number until it comes back.
+  void setHistoryLanguage(const QString& code);
+
   [[nodiscard]] const QString& filePath() const { return m_filePath; }
   /// Records that the current mechanism has been saved to the file.
   void markSaved(const QString& filePath);
@@ -143,6 +147,7 @@ class Document : public QObject {
   quint64 m_revision = 0;
   quint64 m_mechanicsRevision = 0;
   quint64 m_lastGesture = 0;
+  QString m_language;  ///< of the texts of edits
   QUndoStack m_undoStack;
   QString m_filePath;
 };

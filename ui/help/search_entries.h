@@ -7,13 +7,15 @@
 
 #include "core/mechanism/model/mechanism.h"
 #include "core/teaching/derivation/glossary.h"
+#include "ui/document/document.h"
 
 class QAction;
 class QMenuBar;
 
 namespace geargraph {
 
-/// A searchable entry: a command, an element of the document, a term, or a heading of the manual.
+/// A searchable entry: a command, an element of the document, a term, a heading of the manual, or the answer
+/// to a question (search_answers.h).
 struct SearchEntry {
   QString title;                     ///< "Turning joint 12"
   QString side;                      ///< shown at the right: a shortcut or a location
@@ -24,6 +26,10 @@ struct SearchEntry {
   std::optional<Term> term;          ///< of a term
   QString page;                      ///< of a heading of the manual: "drawing#tools"
   QString summary;                   ///< of a heading: the beginning of its section
+  bool isAnswer = false;             ///< of a question: choosing it selects `elements`
+  std::vector<ElementId> elements;   ///< of an answer, or of an edit
+  std::optional<Edit> edit;          ///< what is done to the document
+  QString detail;                    ///< of an answer or an edit
 };
 
 /// The property of an action that shows a panel, or hides it if it is in front. The search only shows it.

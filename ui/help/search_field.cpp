@@ -9,6 +9,7 @@
 #include "core/presentation/manual/manual.h"
 #include "ui/document/typed_length.h"
 #include "ui/help/help_page_of.h"
+#include "ui/help/search_answers.h"
 
 namespace geargraph {
 namespace {
@@ -106,7 +107,10 @@ void SearchField::fill() {
 }
 
 void SearchField::query() {
-  m_model->setQuery(text());
+  const bool isAsked = m_scope == Scope::everything;
+  m_model->setQuery(text(), isAsked ? answersTo(text(), {m_document->mechanism(), m_snapshot,
+                                                         m_selection->selected(), m_areAnswersOpen})
+                                    : std::vector<SearchEntry>());
   m_popup->showList(tr("No command or term matches “%1”.").arg(text()));
   place();
   m_popup->show();
@@ -130,6 +134,9 @@ void SearchField::highlight(int row) {
   if (!m_popup->isVisible()) return;
   if (row >= 0 && m_model->entryAt(row).element) {
     m_selection->hover(*m_model->entryAt(row).element);
+  } else if (row >= 0 && !m_model->entryAt(row).elements.empty()) {
+    const std::vector<ElementId>& about = m_model->entryAt(row).elements;
+    m_selection->hover({about.begin(), about.end()});
   } else {
     m_selection->unhover();
   }
@@ -141,6 +148,8 @@ void SearchField::choose(int row) {
   if (entry.term) return m_popup->showDefinition(*entry.term);
   end();
   if (entry.element) return emit elementChosen(*entry.element);
+  if (entry.edit) return emit editChosen(*entry.edit);
+  if (entry.isAnswer) return emit elementsChosen(entry.elements);
   if (!entry.page.isEmpty()) return emit pageChosen(entry.page);
   if (entry.action == nullptr) return;
   if (!entry.action->isEnabled()) return emit rejected(entry.action->toolTip());

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/theory/analysis/analysis.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/help/search_model.h"
@@ -15,8 +16,9 @@ class QMenuBar;
 
 namespace geargraph {
 
-/// The search field for commands, elements of the document, terms and headings of the manual. The arrow keys
-/// choose an entry, Enter executes it, Esc returns the focus to the former widget.
+/// The search field for commands, elements of the document, terms and headings of the manual; it answers
+/// questions, too (search_answers.h). The arrow keys choose an entry, Enter executes it, Esc returns the
+/// focus to the former widget.
 ///
 /// Entries are collected when the search begins, so an idle field costs nothing; elements on another thread.
 class SearchField : public QLineEdit {
@@ -29,6 +31,10 @@ class SearchField : public QLineEdit {
 
   SearchField(const Document* document, Selection* selection, QMenuBar* menus, QWidget* parent = nullptr);
 
+  /// What answers are taken from; a lesson may keep ratios until its step is right.
+  void setSnapshot(const SnapshotPtr& snapshot) { m_snapshot = snapshot; }
+  void setAnswersOpen(bool areOpen) { m_areAnswersOpen = areOpen; }
+
   void begin(Scope scope = Scope::everything);
   void end();
 
@@ -39,6 +45,9 @@ class SearchField : public QLineEdit {
 
  signals:
   void elementChosen(const geargraph::ElementId& element);
+  /// The links or the mesh that an answer is about.
+  void elementsChosen(const std::vector<geargraph::ElementId>& elements);
+  void editChosen(const geargraph::Edit& edit);
   /// A heading of the manual: "drawing#tools".
   void pageChosen(const QString& page);
   /// A disabled command was chosen; `why` is the reason.
@@ -67,6 +76,8 @@ class SearchField : public QLineEdit {
   SearchPopup* m_popup;
   QPointer<QWidget> m_before;  ///< had the focus before the search
   Scope m_scope = Scope::everything;
+  SnapshotPtr m_snapshot;
+  bool m_areAnswersOpen = true;
 };
 
 }  // namespace geargraph

@@ -16,12 +16,15 @@ bool isPossible(const SearchEntry& entry) {
 }
 
 QString kindOf(const SearchEntry& entry) {
+  if (entry.isAnswer) return SearchModel::tr("answer");
+  if (entry.edit) return SearchModel::tr("edit");
   if (entry.element) return SearchModel::tr("element");
   if (!entry.page.isEmpty()) return SearchModel::tr("manual");
   return entry.term ? SearchModel::tr("term") : SearchModel::tr("command");
 }
 
 QString detailOf(const SearchEntry& entry) {
+  if (!entry.detail.isEmpty()) return entry.detail;
   if (entry.action != nullptr) return entry.action->toolTip().remove(QLatin1Char('&'));
   if (!entry.page.isEmpty()) return entry.summary;
   if (!entry.term) return SearchModel::tr("Enter selects and shows it.");
@@ -30,14 +33,19 @@ QString detailOf(const SearchEntry& entry) {
 
 }  // namespace
 
+QStringList SearchModel::kinds() {
+  return {tr("answer"), tr("edit"), tr("element"), tr("manual"), tr("term"), tr("command")};
+}
+
 void SearchModel::setEntries(std::vector<SearchEntry> entries) {
   beginResetModel();
+  m_answers.clear();
   m_entries = std::move(entries);
   m_found.clear();
   endResetModel();
 }
 
-void SearchModel::setQuery(const QString& query) {
+void SearchModel::setQuery(const QString& query, std::vector<SearchEntry> answers) {
   const QStringList words = wordsOf(query);
   std::vector<std::pair<int, std::size_t>> found;  // minus the score, so that the best sort first
   for (std::size_t i = 0; i < m_entries.size(); ++i) {
@@ -56,13 +64,14 @@ void SearchModel::setQuery(const QString& query) {
   const std::size_t kept = std::min(found.size(), std::size_t{kMax});
   std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end());
   beginResetModel();
+  m_answers = std::move(answers);
   m_found.clear();
   for (std::size_t i = 0; i < kept; ++i) m_found.push_back(found[i].second);
   endResetModel();
 }
 
 int SearchModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_found.size());
+  return parent.isValid() ? 0 : static_cast<int>(m_answers.size() + m_found.size());
 }
 
 QVariant SearchModel::data(const QModelIndex& index, int role) const {

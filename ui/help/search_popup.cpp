@@ -16,7 +16,14 @@ namespace {
 
 constexpr int kRowHeight = 26;
 constexpr int kPopupMargin = 12;
-constexpr int kKindWidth = 70;
+constexpr int kKindGap = 14;
+
+/// As wide as the longest word for a kind, in any language and type.
+int kindWidth(const QFontMetrics& metrics) {
+  int width = 0;
+  for (const QString& kind : SearchModel::kinds()) width = std::max(width, metrics.horizontalAdvance(kind));
+  return width + kKindGap;
+}
 
 /// The kind, the title, and at the right the shortcut or the place; grey where it is not possible now.
 class EntryDelegate : public QStyledItemDelegate {
@@ -38,7 +45,7 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter, index.data(SearchModel::KindRole).toString());
     const QString side = index.data(SearchModel::SideRole).toString();
     painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, side);
-    room.adjust(kKindWidth, 0, -QFontMetrics(small).horizontalAdvance(side) - 14, 0);
+    room.adjust(kindWidth(QFontMetrics(small)), 0, -QFontMetrics(small).horizontalAdvance(side) - 14, 0);
     painter->setFont(option.font);
     const bool possible = index.data(SearchModel::EnabledRole).toBool();
     painter->setPen(possible ? qColor(ColorRole::ink, theme) : secondary);

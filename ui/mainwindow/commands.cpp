@@ -85,15 +85,15 @@ std::vector<Command> commandsOfFile() {
        .whyNot = [](const CommandState& now) { return now.hasSiblings ? QString() : alone(); }},
       {.id = CommandId::exportAny,
        .name = "file.export",
-       .text = words("Export in any format…"),
+       .text = words("&Export…"),
        .tip = words("Export graphs, matrices, derivations, drawings, pictures, solids and models for other "
-                    "programs, with all their options"),
-       .searchWords =
-           "dot graphviz graphml networkx mjcf mujoco urdf modelica glb gltf stl obj ply 3mf scorm "
-           "simulator convert program format"},
+                    "programs, with all their options, and see first what will be written"),
+       .searchWords = "any format dot graphviz graphml networkx mjcf mujoco urdf modelica glb gltf stl obj "
+                      "ply 3mf scorm "
+                      "simulator convert program format"},
       {.id = CommandId::exportMatrix,
        .name = "file.exportCsv",
-       .text = words("&Export matrix as CSV…"),
+       .text = words("Export &matrix as CSV…"),
        .tip = words("Export the matrix that is shown, with its labels"),
        .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
        .searchWords = "table spreadsheet excel matlab numpy save matrix",
@@ -462,7 +462,7 @@ std::vector<Command> commandsOfView() {
       {.id = CommandId::resetLayout,
        .name = "view.reset",
        .text = words("&Reset the layout"),
-       .tip = words("All panels back to their places"),
+       .tip = words("All panels back to their places, in this window and in those to come"),
        .searchWords = "panels docks default windows"},
   };
 }
@@ -527,6 +527,13 @@ std::vector<Command> commandsOfLearn() {
        .text = words("Check &my matrices…"),
        .tip = words("Matrices and equations that you have worked out, beside the derived ones"),
        .searchWords = "grade verify homework paper solution correct matrix equation compare mine"},
+      {.id = CommandId::handoutNow,
+       .name = "learn.handout",
+       .text = words("&Handout for the class"),
+       .tip = words("Writes a page for any browser beside the document, at once: drawings, matrices, "
+                    "derivation and the train in 3D, with inputs that move"),
+       .searchWords = "html web page share students publish offline one button",
+       .whyNot = [](const CommandState& now) { return now.whyNoDerivation; }},
       {.id = CommandId::showDerivation,
        .name = "learn.derivation",
        .text = words("Show the &derivation"),

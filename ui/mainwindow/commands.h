@@ -76,6 +76,7 @@ enum class CommandId {
   lessonFile,
   exercises,
   checkPaper,
+  handoutNow,
   showDerivation,
   compareMethods,
   lookUp,

@@ -1,7 +1,12 @@
 #include "ui/mainwindow/export_jobs.h"
 
+#include <QDesktopServices>
+#include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
+#include <QUrl>
 
 #include "core/foundations/files/file.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -10,6 +15,21 @@ namespace geargraph {
 namespace {
 
 const QString kKey = QStringLiteral("exports");
+const QString kWrittenKey = QStringLiteral("exports.written");
+
+/// "robot.stl (2.1 MB)", "robot-mjcf (a folder with 9 files, 3 MB)".
+QString describedFile(const QString& path) {
+  const QFileInfo info(path);
+  const auto sizeOf = [](qint64 bytes) {
+    return QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
+  };
+  if (!info.isDir()) return QStringLiteral("%1 (%2)").arg(info.fileName(), sizeOf(info.size()));
+  int files = 0;
+  qint64 bytes = 0;
+  QDirIterator each(path, QDir::Files, QDirIterator::Subdirectories);
+  for (; each.hasNext(); ++files) bytes += QFileInfo(each.next()).size();
+  return ExportJobs::tr("%1 (a folder with %2 files, %3)").arg(info.fileName()).arg(files).arg(sizeOf(bytes));
+}
 
 }  // namespace
 
@@ -73,8 +93,9 @@ void ExportJobs::onDone(const Job& job, const QString& why, bool stopped) {
   m_isBusy = false;
   if (job.isLong) m_notices->withdraw(kKey);
   if (why.isEmpty()) {
-    emit finished(job.path);
     const QStringList notes = job.notes ? job.notes() : QStringList();
+    if (!job.path.isEmpty()) tellWritten(job.path, notes);
+    emit finished(job.path);
     if (!notes.empty()) emit told(notes.join(QLatin1Char(' ')));
   } else {
     emit failed(
@@ -82,6 +103,34 @@ void ExportJobs::onDone(const Job& job, const QString& why, bool stopped) {
                 : why);
   }
   if (!m_isBusy) startNext();  // whoever heard of it may have added one
+}
+
+/// Its place is told, so that it is found without the notice too.
+void ExportJobs::tellWritten(const QString& path, const QStringList& notes) {
+  const QString folder = QFileInfo(path).absolutePath();
+  QString text = tr("Exported %1 into %2.").arg(describedFile(path), QDir::toNativeSeparators(folder));
+  if (!notes.isEmpty()) text += QLatin1Char(' ') + notes.join(QLatin1Char(' '));
+  m_notices->post(
+      {kWrittenKey,
+       Severity::info,
+       text,
+       {{tr("Open"), tr("Opens it with the program of this kind of file"), [this, path] { open(path); }},
+        {tr("Show in folder"), tr("Opens the folder it is in"), [this, folder] { open(folder); }},
+        {tr("Close"), tr("The file stays where it is"), {}}},
+       false,
+       true});
+}
+
+void ExportJobs::forgetWritten() {
+  m_notices->withdraw(kWrittenKey);
+}
+
+void ExportJobs::open(const QString& path) {
+  if (!QFileInfo::exists(path)) {
+    emit failed(tr("%1 is no longer there.").arg(path));
+  } else if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path))) {
+    emit failed(tr("No program opens %1 here.").arg(QFileInfo(path).fileName()));
+  }
 }
 
 }  // namespace geargraph

@@ -19,7 +19,7 @@ class NoticeBar;
 [[nodiscard]] QString writingError(const QString& path, const std::string& bytes);
 
 /// Makes files that take long on a background thread, one after the other. A notice shows the progress of one
-/// with several pictures, and can stop it.
+/// with several pictures, and can stop it; another tells what was written, and opens it or its folder.
 class ExportJobs : public QObject, public BackgroundWork {
   Q_OBJECT
 
@@ -42,6 +42,8 @@ class ExportJobs : public QObject, public BackgroundWork {
   void add(Job job);
   void stop();  ///< stops the current job
   [[nodiscard]] bool isBusy() const { return m_isBusy; }
+  /// Withdraws the notice of what was written last.
+  void forgetWritten();
   void requestStop() override;
   [[nodiscard]] bool hasStopped() const override { return !m_isBusy; }
 
@@ -54,6 +56,8 @@ class ExportJobs : public QObject, public BackgroundWork {
  private:
   void startNext();
   void onDone(const Job& job, const QString& why, bool stopped);
+  void tellWritten(const QString& path, const QStringList& notes);
+  void open(const QString& path);
 
   NoticeBar* m_notices;
   std::deque<Job> m_waiting;

@@ -19,6 +19,7 @@
 #include "ui/forces/forces_panel.h"
 #include "ui/forces/inputs_and_results.h"
 #include "ui/help/help_page_of.h"
+#include "ui/help/search_field.h"
 #include "ui/mainwindow/dock_drag.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
@@ -29,6 +30,7 @@
 #include "ui/mainwindow/power_arrows.h"
 #include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
+#include "ui/mainwindow/recent_exports.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/renumbering_notice.h"
 #include "ui/mainwindow/start_page.h"
@@ -49,6 +51,7 @@
 #include "ui/panels/results_panel.h"
 #include "ui/reading/derivation_panel.h"
 #include "ui/recovery/autosave.h"
+#include "ui/settings/languages.h"
 #include "ui/settings/settings.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
@@ -80,9 +83,11 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
 
+  m_document->setHistoryLanguage(currentLanguage());
   m_status = new StatusLine(m_selection, this);
   setStatusBar(m_status);
   m_recent = new RecentFiles(this);
+  m_recentExports = new RecentExports(this);
   m_notices = new NoticeBar(this);
   m_exportJobs = new ExportJobs(m_notices, this);
   m_files = std::make_unique<WindowFiles>(*m_workbench, this, m_notices, m_recent,
@@ -284,6 +289,7 @@ void MainWindow::makeCommands() {
   connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
   connect(&derivation(), &DerivationPanel::exportWanted, m_exports,
           &WindowExports::chooseAndExportDerivation);
+  connect(&derivation(), &DerivationPanel::handoutWanted, m_exports, &WindowExports::exportHandoutNow);
 }
 
 void MainWindow::makeHelp() {
@@ -441,6 +447,7 @@ void MainWindow::onDocumentChanged() {
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_views->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
+  m_search->setSnapshot(snapshot);
   updateCommands();
   raiseProblems(*snapshot);
   emitSettledIfIdle();

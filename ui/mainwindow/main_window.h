@@ -65,6 +65,7 @@ class ExportJobs;
 class FileWatch;
 class PowerView;
 class Presentation;
+class RecentExports;
 class RecentFiles;
 class SheetOffer;
 class StatusLine;
@@ -189,6 +190,7 @@ class MainWindow : public QMainWindow {
   void makeViews();
   void makeCommands();
   void makeHelp();
+  void resetLayout();
   void applyDefaultLayout();
   void raiseResults();
   void onOpened();
@@ -260,6 +262,7 @@ class MainWindow : public QMainWindow {
   SheetOffer* m_offer = nullptr;
   QAction* m_transport = nullptr;  ///< of the tool bar
   RecentFiles* m_recent = nullptr;
+  RecentExports* m_recentExports = nullptr;
   SearchField* m_search = nullptr;
   Presentation* m_presentation = nullptr;
   std::vector<DrawingView*> m_allDrawings;

@@ -62,6 +62,11 @@ void NoticeBar::post(Notice notice) {
   if (notice.isRequired) {
     if (same != m_notices.end()) m_notices.erase(same);
     m_notices.insert(m_notices.begin(), std::move(notice));
+  } else if (notice.isNews) {
+    if (same != m_notices.end()) m_notices.erase(same);
+    const auto place =
+        std::find_if(m_notices.begin(), m_notices.end(), [](const Notice& each) { return !each.isRequired; });
+    m_notices.insert(place, std::move(notice));
   } else if (same == m_notices.end()) {
     m_notices.push_back(std::move(notice));
   } else {

@@ -25,10 +25,12 @@ struct Notice {
   /// A command of the user waits for the answer: it is shown before all other notices, which reappear after
   /// it.
   bool isRequired = false;
+  /// Tells what a command has just done: shown before all notices that are not required.
+  bool isNews = false;
 };
 
 /// A strip below the tool bar that shows one notice at a time without blocking the window: the newest
-/// required one, else the oldest.
+/// required one, else the newest news, else the oldest.
 class NoticeBar : public QToolBar {
   Q_OBJECT
 

@@ -9,47 +9,16 @@
 #include "core/presentation/exporters/exporters.h"
 #include "ui/mainwindow/export_dialog.h"
 #include "ui/mainwindow/export_jobs.h"
+#include "ui/mainwindow/recent_exports.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/models/term_tips.h"
 #include "ui/workbench/workbench.h"
 
 namespace geargraph {
-namespace {
-
-/// What an export says while it runs: notes for the user, and the first error of the mechanism.
-struct Heard {
-  QStringList notes;
-  QString error;
-};
-
-/// Why nothing was written, as a sentence.
-QString reasonOf(const ExportError& error, const Heard& heard) {
-  if (error.kind == ExportError::Kind::stopped) return WindowExports::tr("The export was stopped.");
-  if (!error.message.empty()) return QString::fromStdString(error.message);
-  return heard.error.isEmpty() ? WindowExports::tr("The mechanism has errors.") : heard.error;
-}
-
-ExportSource sourceFor(const MechanismPtr& mechanism, const SnapshotPtr& snapshot, const QString& document,
-                       const QString& title, const std::shared_ptr<Heard>& heard) {
-  ExportSource source;
-  source.read = [mechanism]() -> std::variant<Mechanism, ExportError> { return *mechanism; };
-  source.snapshot = snapshot;
-  source.folder = QFile::encodeName(QFileInfo(document).absolutePath()).toStdString();
-  source.stem = QFileInfo(title).completeBaseName().toStdString();
-  source.diagnose = [heard](const Diagnostics& found) {
-    for (const Diagnostic& each : found) {
-      if (each.severity() == Severity::error && heard->error.isEmpty())
-        heard->error = QString::fromStdString(each.message);
-    }
-  };
-  source.note = [heard](const ExportNote& note) { heard->notes << QString::fromStdString(note.text); };
-  return source;
-}
-
-}  // namespace
 
 void WindowExports::chooseAndExport() {
-  auto* dialog = new ExportDialog(m_workbench.analysis().snapshot(), m_window);
+  auto* dialog = new ExportDialog(m_workbench.analysis().snapshot(), exported(), m_window);
   connect(dialog, &ExportDialog::wanted, this, [this](const QString& id, const OptionValues& options) {
     const Exporter& exporter = *exporterWithId(id.toStdString());
     const QString path = exportPath(exporter);
@@ -59,36 +28,50 @@ void WindowExports::chooseAndExport() {
   dialog->show();
 }
 
+ExportedDocument WindowExports::exported() const {
+  return {m_files.source(), m_files.title()};
+}
+
+/// Where the document was exported last, else beside it.
+QString WindowExports::exportFolder() const {
+  const QString file = m_files.source();
+  const std::vector<RecentExport> before = RecentExports::all(&file);
+  if (!before.empty() && QFileInfo(before.front().path).dir().exists())
+    return QFileInfo(before.front().path).absolutePath();
+  const bool isExample = file.startsWith(QLatin1Char(':'));
+  return file.isEmpty() || isExample ? QDir::homePath() : QFileInfo(file).absolutePath();
+}
+
 /// Where the user wants it, with the suffix of the format where none was typed.
 QString WindowExports::exportPath(const Exporter& exporter) const {
-  const QString name = QFileInfo(m_files.title()).completeBaseName();
-  const QString title = QString::fromStdString(translated(exporter.title));
+  const QString proposed = QDir(exportFolder()).filePath(proposedName(exporter, exported()));
   if (exporter.files == ExportFiles::folder) {
-    return QFileDialog::getSaveFileName(
-        m_window, tr("Export into the new folder"),
-        QStringLiteral("%1-%2").arg(
-            name, QString::fromUtf8(exporter.id.data(), static_cast<qsizetype>(exporter.id.size()))),
-        tr("Folders (*)"));
+    return QFileDialog::getSaveFileName(m_window, tr("Export into the new folder"), proposed,
+                                        tr("Folders (*)"));
   }
-  const QString suffix =
-      QString::fromUtf8(exporter.suffix.data(), static_cast<qsizetype>(exporter.suffix.size()));
+  const QString title = QString::fromStdString(translated(exporter.title));
+  const QString suffix = shownText(exporter.suffix);
   QString path =
-      QFileDialog::getSaveFileName(m_window, tr("Export"), name + QLatin1Char('.') + suffix,
+      QFileDialog::getSaveFileName(m_window, tr("Export"), proposed,
                                    QStringLiteral("%1 (*.%2);;%3 (*)").arg(title, suffix, tr("All files")));
   if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
   return path;
 }
 
-void WindowExports::exportAs(const Exporter& exporter, const OptionValues& options, const QString& path) {
-  const auto heard = std::make_shared<Heard>();
-  const SnapshotPtr& there = m_workbench.analysis().snapshot();
-  const ExportSource source =
-      sourceFor(m_workbench.document().mechanism(), there && there->isComplete ? there : nullptr,
-                m_files.source(), m_files.title(), heard);
-  const auto run = [write = exporter.write, options, path, source, heard](
+void WindowExports::exportAgain(const RecentExport& again) {
+  if (const Exporter* exporter = exporterWithId(again.id.toStdString()))
+    exportAs(*exporter, again.options, again.path, true);
+}
+
+void WindowExports::exportAs(const Exporter& exporter, const OptionValues& options, const QString& path,
+                             bool mayOverwrite) {
+  const auto heard = std::make_shared<HeardFromExport>();
+  const ExportSource source = exportSourceOf(m_workbench.document().mechanism(),
+                                             m_workbench.analysis().snapshot(), exported(), heard);
+  const auto run = [write = exporter.write, options, path, source, heard, mayOverwrite](
                        const ExportJobs::Progress& progress, const std::stop_token& stop) {
     ExportContext context(source);
-    ExportTarget target{QFile::encodeName(path).toStdString()};
+    ExportTarget target{QFile::encodeName(path).toStdString(), mayOverwrite};
     target.progress = [&progress](double done) { progress(qRound(done * 100), 100); };
     const ExportResult result = write(context, options, target, stop);
     const auto* error = std::get_if<ExportError>(&result);
@@ -96,6 +79,7 @@ void WindowExports::exportAs(const Exporter& exporter, const OptionValues& optio
   };
   const bool isLong = exporter.need != ExportNeed::nothing;  // it makes solids or pictures
   m_jobs->add({path, isLong, run, true, [heard] { return heard->notes; }});
+  RecentExports::add({m_files.source(), shownText(exporter.id), options, path});
 }
 
 }  // namespace geargraph

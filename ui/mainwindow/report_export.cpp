@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include "core/presentation/export_api/handout_train.h"
 #include "core/presentation/export_api/report_lists.h"
@@ -12,13 +13,19 @@
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/schematic_view.h"
 #include "ui/mainwindow/export_jobs.h"
+#include "ui/mainwindow/export_source.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/reading/derivation_panel.h"
+#include "ui/settings/settings.h"
 #include "ui/workbench/workbench.h"
 
 namespace geargraph {
 namespace {
+
+/// The handouts that were written without asking where.
+const QString kHandoutsKey = QStringLiteral("export/handouts");
+constexpr qsizetype kMostHandouts = 200;
 
 ReportForm formOf(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
@@ -131,6 +138,21 @@ SheetPlan WindowExports::everyKind() {
 
 void WindowExports::exportHandout(const QString& path) {
   writeHandout(path, std::nullopt);
+}
+
+void WindowExports::exportHandoutNow() {
+  const ExportedDocument document = exported();
+  const bool hasFolder = !document.file.isEmpty() && !document.file.startsWith(QLatin1Char(':'));
+  const QString folder = hasFolder ? QFileInfo(document.file).absolutePath()
+                                   : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString stem = document.stem() + QStringLiteral("-handout");
+  const QStringList own = savedSetting(kHandoutsKey).toStringList();
+  QString path = QDir(folder).filePath(stem + QStringLiteral(".html"));
+  for (int number = 2; QFileInfo::exists(path) && !own.contains(path); ++number)
+    path = QDir(folder).filePath(QStringLiteral("%1-%2.html").arg(stem).arg(number));
+  if (!QDir().mkpath(folder)) return emit rejected(tr("The folder %1 could not be made.").arg(folder));
+  saveSetting(kHandoutsKey, QStringList(QStringList{path} + own).mid(0, kMostHandouts));
+  exportHandout(path);
 }
 
 void WindowExports::exportHandoutAsking(const QString& path, const SheetPlan& plan) {

@@ -3,12 +3,19 @@
 #include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QBoxLayout>
+#include <QDialogButtonBox>
+#include <QGuiApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollArea>
 #include <QShowEvent>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QtMath>
 #include <algorithm>
 #include <vector>
@@ -128,6 +135,44 @@ std::array<QString, ShortcutSheet::kColumns> ShortcutSheet::columnsFor(const QMe
   return columns;
 }
 
+std::unique_ptr<QTextDocument> ShortcutSheet::pageFor(const QMenuBar& menus, const QSizeF& page) {
+  constexpr double kLargest = 11, kSmallest = 4, kStep = 0.5;
+  QString html = QStringLiteral("<h3>%1</h3><table width='100%' cellspacing='0' cellpadding='3'><tr>")
+                     .arg(tr("GearGraph: keyboard shortcuts").toHtmlEscaped());
+  const std::array<QString, kColumns> columns = columnsFor(menus);
+  for (std::size_t i = 0; i < kColumns; ++i)
+    html += QStringLiteral("<td width='%1%' valign='top'>%2</td>").arg(kWidths[i]).arg(columns[i]);
+  html += QStringLiteral("</tr></table>");
+  auto document = std::make_unique<QTextDocument>();
+  document->setDocumentMargin(0);
+  QFont font = document->defaultFont();
+  for (double size = kLargest; size >= kSmallest; size -= kStep) {
+    font.setPointSizeF(size);
+    document->setDefaultFont(font);
+    document->setHtml(html);
+    document->setPageSize(page);
+    if (document->pageCount() == 1) break;
+  }
+  return document;
+}
+
+void ShortcutSheet::printOn(QPrinter& printer, const QMenuBar& menus) {
+  constexpr double kPoints = 72;
+  const double screen = QGuiApplication::primaryScreen()->logicalDotsPerInchY();
+  const QSizeF page = printer.pageLayout().paintRect(QPageLayout::Point).size() * screen / kPoints;
+  pageFor(menus, page)->print(&printer);
+}
+
+void ShortcutSheet::choosePrinter() {
+  const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+  printer->setPageOrientation(QPageLayout::Landscape);
+  printer->setDocName(windowTitle());
+  auto* dialog = new QPrintDialog(printer.get(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, printer] { printOn(*printer, *m_menus); });
+  dialog->open();
+}
+
 ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent), m_menus(&menus) {
   setObjectName(QStringLiteral("shortcutSheet"));
   setWindowTitle(tr("Keyboard shortcuts"));
@@ -148,6 +193,14 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  buttons->setContentsMargins(kMargin, 0, kMargin, kMargin);
+  QPushButton* print = buttons->addButton(tr("Print…"), QDialogButtonBox::ActionRole);
+  print->setObjectName(QStringLiteral("printKeys"));
+  print->setToolTip(tr("On one page, also into a PDF file"));
+  connect(print, &QPushButton::clicked, this, &ShortcutSheet::choosePrinter);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  layout->addWidget(buttons);
   resize(1330, 690);
 }
 

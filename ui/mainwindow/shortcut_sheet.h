@@ -4,16 +4,20 @@
 #include <QString>
 #include <array>
 #include <deque>
+#include <memory>
 
 #include "ui/service/turns.h"
 
 class QMenuBar;
+class QPrinter;
 class QTextBrowser;
+class QTextDocument;
 
 namespace geargraph {
 
 /// All keyboard shortcuts on one sheet: those of the menus, and the mouse and keyboard actions in the
-/// drawings and the 3D view. Its columns are filled in turns: all of them at once take up to 50 ms.
+/// drawings and the 3D view; it can be printed on one page. Its columns are filled in turns: all of them at
+/// once take up to 50 ms.
 class ShortcutSheet : public QDialog {
   Q_OBJECT
 
@@ -24,12 +28,16 @@ class ShortcutSheet : public QDialog {
 
   /// The columns as HTML.
   [[nodiscard]] static std::array<QString, kColumns> columnsFor(const QMenuBar& menus);
+  /// All of them on one page of this size, in pixels of the screen, in the largest type in which they fit.
+  [[nodiscard]] static std::unique_ptr<QTextDocument> pageFor(const QMenuBar& menus, const QSizeF& page);
+  static void printOn(QPrinter& printer, const QMenuBar& menus);
 
  protected:
   void showEvent(QShowEvent* event) override;
 
  private:
   void fillNext();
+  void choosePrinter();
 
   const QMenuBar* m_menus;
   std::array<QTextBrowser*, kColumns> m_columns{};

@@ -58,6 +58,11 @@ void MainWindow::makeToolBar() {
   m_search = new SearchField(m_document, m_selection, menuBar(), bar);
   bar->addWidget(m_search);
   connect(m_search, &SearchField::elementChosen, this, &MainWindow::showElement);
+  connect(m_search, &SearchField::elementsChosen, this, [this](const std::vector<ElementId>& elements) {
+    m_selection->select({elements.begin(), elements.end()});
+    drawing().setFocus();
+  });
+  connect(m_search, &SearchField::editChosen, m_document, &Document::apply);
   connect(m_search, &SearchField::rejected, m_status, &StatusLine::showRejection);
   connect(m_search, &SearchField::pageChosen, m_help, &WindowHelp::showPage);
 }

@@ -22,12 +22,14 @@
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/history_dialog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/power_arrows.h"
 #include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
+#include "ui/mainwindow/recent_exports.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/sheet_offer.h"
 #include "ui/mainwindow/shortcut_sheet.h"
@@ -83,8 +85,11 @@ void MainWindow::makeMenus() {
       ->setToolTip(tr("The start page with titles, pictures and a sentence about each example"));
   examples->setToolTipsVisible(true);
   file->addSeparator();
-  file->addActions(
-      a.of({save, saveAs, revert, exportAny, exportMatrix, exportPicture, exportDerivation, exportHandout}));
+  file->addActions(a.of({save, saveAs, revert}));
+  file->addSeparator();
+  file->addAction(a[exportAny]);
+  file->addMenu(m_recentExports);
+  file->addActions(a.of({exportMatrix, exportPicture, exportDerivation, exportHandout}));
   file->addSeparator();
   file->addAction(a[print]);
   file->addSeparator();
@@ -132,8 +137,8 @@ void MainWindow::makeMenus() {
   motion->addActions(a.of({faster, slower, normalSpeed, backwards}));
 
   menu(tr("&Learn"))
-      ->addActions(
-          a.of({lessons, lessonFile, exercises, checkPaper, showDerivation, compareMethods, lookUp}));
+      ->addActions(a.of(
+          {lessons, lessonFile, exercises, handoutNow, checkPaper, showDerivation, compareMethods, lookUp}));
   menu(tr("&Help"))->addActions(a.of({manual, whatsThis, tour, search, shortcuts, about}));
 }
 
@@ -159,6 +164,7 @@ void MainWindow::wireActions() {
   connect(a[lessons], &QAction::triggered, this, &MainWindow::showCourse);
   connect(a[lessonFile], &QAction::triggered, this, &MainWindow::chooseLessonFile);
   connect(a[exercises], &QAction::triggered, this, &MainWindow::showExercises);
+  connect(a[handoutNow], &QAction::triggered, m_exports, &WindowExports::exportHandoutNow);
   connect(a[checkPaper], &QAction::triggered, this, &MainWindow::showPaperCheck);
   connect(a[undo], &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a[redo], &QAction::triggered, &stack, &QUndoStack::redo);
@@ -234,7 +240,7 @@ void MainWindow::wireActions() {
   connect(a[presentation], &QAction::triggered, m_presentation, &Presentation::setOn);
   connect(a[attachGear], &QAction::triggered, this, [this] { drawing().attachGear(); });
   connect(a[shortcuts], &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(a[resetLayout], &QAction::triggered, this, &MainWindow::applyDefaultLayout);
+  connect(a[resetLayout], &QAction::triggered, this, &MainWindow::resetLayout);
   connect(a[search], &QAction::triggered, this, [this] { m_search->begin(); });
   connect(a[lookUp], &QAction::triggered, this, [this] { m_search->begin(SearchField::Scope::terms); });
   connect(a[about], &QAction::triggered, this, &MainWindow::showAbout);
@@ -256,6 +262,12 @@ void MainWindow::wireFiles() {
     problems().setFileProblems(name, why);
     m_docks->reveal(problems());
   });
+  connect(m_recentExports, &RecentExports::chosen, m_exports, &WindowExports::exportAgain);
+  const auto listExports = [this] { m_recentExports->setDocument(m_files->source()); };
+  connect(m_exports, &WindowExports::written, m_recentExports, listExports);
+  connect(files, &WindowFiles::titleChanged, m_recentExports, listExports);
+  connect(m_recentExports, &QMenu::aboutToShow, m_recentExports, listExports);
+  connect(m_document, &Document::changed, m_exportJobs, &ExportJobs::forgetWritten);
   connect(m_recent, &RecentFiles::chosen, files, &WindowFiles::openByUser);
   connect(a[newDocument], &QAction::triggered, files, &WindowFiles::newByUser);
   connect(a[newWindow], &QAction::triggered, files, &WindowFiles::newWindow);

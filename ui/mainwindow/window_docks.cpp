@@ -45,6 +45,13 @@ bool MainWindow::focusNextPrevChild(bool next) {
   return true;
 }
 
+/// Kept at once, for the windows to come: without that the next one would have the layout before.
+void MainWindow::resetLayout() {
+  applyDefaultLayout();
+  // A lesson's panels are others.
+  if (m_lesson == nullptr) saveSetting(QStringLiteral("window/state"), workLayout().state);
+}
+
 void MainWindow::applyDefaultLayout() {
   m_docks->reset();
   raiseResults();

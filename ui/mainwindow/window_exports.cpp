@@ -10,6 +10,7 @@
 #include "core/teaching/derivation/matrix_text.h"
 #include "ui/mainwindow/csv_dialog.h"
 #include "ui/mainwindow/export_jobs.h"
+#include "ui/mainwindow/export_source.h"
 #include "ui/models/term_tips.h"
 #include "ui/reading/print_dialog.h"
 #include "ui/view3d/motion_panel.h"

@@ -40,7 +40,9 @@ class Workbench;
 
 namespace geargraph {
 
+struct ExportedDocument;
 struct PictureOptions;
+struct RecentExport;
 class ExportJobs;
 class PictureClipboard;
 class WindowFiles;
@@ -77,6 +79,9 @@ class WindowExports : public QObject {
   void exportDerivation(const QString& path);
   /// Exports the mechanism as one HTML page, or as a package for learning platforms (zip); written() follows.
   void exportHandout(const QString& path);
+  /// The same without asking anything: beside the document, or among the user's documents where it has no
+  /// file. A handout that was written so before is replaced, another file is not.
+  void exportHandoutNow();
   /// The same with the questions of a plan, with feedback. Without kinds: one question of every available
   /// kind.
   void exportHandoutAsking(const QString& path, const SheetPlan& plan);
@@ -84,7 +89,11 @@ class WindowExports : public QObject {
   void exportSheets(const QString& folder, const SheetRequest& request);
   /// Exports the document by an exporter of core with its options; written() follows, and what it has to say
   /// is noted. @pre the options hold those that choose the exporter
-  void exportAs(const Exporter& exporter, const OptionValues& options, const QString& path);
+  /// @param mayOverwrite files that are in the folder already are written anew
+  void exportAs(const Exporter& exporter, const OptionValues& options, const QString& path,
+                bool mayOverwrite = false);
+  /// Writes what was exported before once more, of the document as it is now.
+  void exportAgain(const geargraph::RecentExport& again);
   /// Prints pages on a background thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// Saves the newest traced path of the 3D view as CSV. @pre there is one
@@ -124,6 +133,8 @@ class WindowExports : public QObject {
   [[nodiscard]] QString handoutPath(const QStringList& forms, QString& chosen) const;
   [[nodiscard]] static SheetPlan everyKind();
   void writeHandout(const QString& path, const std::optional<SheetPlan>& plan);
+  [[nodiscard]] ExportedDocument exported() const;
+  [[nodiscard]] QString exportFolder() const;
   [[nodiscard]] QString exportPath(const Exporter& exporter) const;
   void onWritten(const QString& path);
 

@@ -12,6 +12,7 @@
 #include "core/teaching/lessons/lesson_reader.h"
 #include "core/teaching/lessons/mastery.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/help/search_field.h"
 #include "ui/learning/course_dialog.h"
 #include "ui/learning/exercises_dialog.h"
 #include "ui/learning/lesson_panel.h"
@@ -220,6 +221,7 @@ void MainWindow::setAnswersOpen(bool isOpen) {
                           tr("This panel holds the answer: it opens when the step is right or shown."));
   m_views->setAnswersOpen(isOpen);
   m_status->showCounts(isOpen);
+  m_search->setAnswersOpen(isOpen);
   m_areAnswersOpen = isOpen;
   updateCommands();
 }

@@ -335,8 +335,10 @@ std::optional<std::pair<QString, ColorRole>> ResultsPanel::verdictNow() const {
   if (solved && solved->agreement && count > 0) {
     const Agreement& agreement = *solved->agreement;
     if (!agreement.equal) {
-      return std::pair(tr("The two methods differ at %1 joints. Please report this document.")
-                           .arg(agreement.joints.size()),
+      return std::pair(agreement.joints.size() == 1
+                           ? tr("The two methods differ at one joint. Please report this document.")
+                           : tr("The two methods differ at %1 joints. Please report this document.")
+                                 .arg(agreement.joints.size()),
                        ColorRole::error);
     }
     return std::pair(count == 1

@@ -30,6 +30,7 @@ DerivationPanel::DerivationPanel(Selection* selection, QWidget* parent)
   connect(m_view, &DerivationView::headingChanged, m_sections, &QComboBox::setCurrentIndex);
   connect(m_sections, &QComboBox::activated, m_view, &DerivationView::showHeading);
   connect(m_export, &QToolButton::clicked, this, &DerivationPanel::exportWanted);
+  connect(m_handout, &QToolButton::clicked, this, &DerivationPanel::handoutWanted);
   showText(tr("The derivation appears here, both methods step by step."));
 }
 
@@ -48,6 +49,14 @@ QWidget* DerivationPanel::makeBar() {
   m_export->setProperty("look", "control");
   layout->addWidget(m_sections);
   layout->addStretch(1);
+  m_handout = new QToolButton(bar);
+  m_handout->setObjectName(QStringLiteral("handoutNow"));
+  m_handout->setText(tr("Handout"));
+  m_handout->setToolTip(
+      tr("Writes a page for any browser beside the document, at once: drawings, matrices, derivation and "
+         "the train in 3D, with inputs that move"));
+  m_handout->setProperty("look", "control");
+  layout->addWidget(m_handout);
   layout->addWidget(m_export);
   return bar;
 }
@@ -98,6 +107,7 @@ void DerivationPanel::showDerivation(const Derivation& derivation) {
   m_pages->setCurrentWidget(m_view);
   m_sections->setEnabled(true);
   m_export->setEnabled(true);
+  m_handout->setEnabled(true);
   showWantedSection();
   emit reportShown();
 }
@@ -108,6 +118,7 @@ void DerivationPanel::showText(const QString& text) {
   m_sections->clear();
   m_sections->setEnabled(false);
   m_export->setEnabled(false);
+  m_handout->setEnabled(false);
   m_view->setReport(nullptr);
   m_wanted = nullptr;
   m_shown = m_snapshot;

@@ -38,6 +38,7 @@ class DerivationPanel : public QWidget, public ResultsView {
 
  signals:
   void exportWanted();
+  void handoutWanted();
   void reportShown();
 
  private:
@@ -53,6 +54,7 @@ class DerivationPanel : public QWidget, public ResultsView {
   QStackedWidget* m_pages = nullptr;
   QLabel* m_empty = nullptr;
   QComboBox* m_sections = nullptr;
+  QToolButton* m_handout = nullptr;
   QToolButton* m_export = nullptr;
   SnapshotPtr m_snapshot;
   SnapshotPtr m_wanted;  ///< last requested

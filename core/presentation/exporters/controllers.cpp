@@ -101,7 +101,7 @@ constexpr std::array kControllerExporters = {
 }  // namespace
 
 ExportFamily controllerFamily() {
-  return {toTranslate("Controllers"), {}, {}, false, kControllerExporters};
+  return {toTranslate("Controllers"), {}, {}, false, kControllerExporters, ExportPurpose::simulator};
 }
 
 }  // namespace geargraph

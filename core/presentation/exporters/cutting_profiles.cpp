@@ -143,7 +143,7 @@ constexpr std::array kProfileExporters = {Exporter{"dxf",
 }  // namespace
 
 ExportFamily profileFamily() {
-  return {toTranslate("Cutting profiles"), {}, {}, false, kProfileExporters};
+  return {toTranslate("Cutting profiles"), {}, {}, false, kProfileExporters, ExportPurpose::cad, "png-3d"};
 }
 
 }  // namespace geargraph

@@ -58,7 +58,8 @@ constexpr std::array kDerivationExporters = {
 }  // namespace
 
 ExportFamily derivationFamily() {
-  return {toTranslate("Derivations"), toTranslate("derivations"), {}, false, kDerivationExporters};
+  return {toTranslate("Derivations"), toTranslate("derivations"), {},  false,
+          kDerivationExporters,       ExportPurpose::print,       "md"};
 }
 
 ExportResult writeDerivation(ExportContext& context, const OptionValues& given, const ExportTarget& target,

@@ -160,7 +160,8 @@ constexpr std::array kDrawingExporters = {
 
 ExportFamily drawingFamily() {
   static const std::string how = "--view " + drawingNames();
-  return {toTranslate("Drawings"), toTranslate("drawings"), how, true, kDrawingExporters};
+  return {toTranslate("Drawings"), toTranslate("drawings"), how,  true,
+          kDrawingExporters,       ExportPurpose::print,    "png"};
 }
 
 }  // namespace geargraph

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -102,6 +104,12 @@ struct Exporter {
                         const std::stop_token& stop) = nullptr;
 };
 
+/// What people export for.
+enum class ExportPurpose : std::uint8_t { print, cad, simulator, web, data };
+inline constexpr std::array kExportPurposes = {ExportPurpose::print, ExportPurpose::cad,
+                                               ExportPurpose::simulator, ExportPurpose::web,
+                                               ExportPurpose::data};
+
 /// Exporters of one kind of thing. An option is rejected where no exporter of the family takes it.
 struct ExportFamily {
   std::string_view title;  ///< in a list: "Graphs". To be translated
@@ -109,6 +117,12 @@ struct ExportFamily {
   std::string_view how;    ///< the words that ask for it; empty: "--to " and the forms
   bool hasView = false;    ///< `--view` says what is written
   std::span<const Exporter> exporters;
+  ExportPurpose purpose = ExportPurpose::cad;
+  /// The id of the exporter whose file, a picture or a text, shows a person what these write; empty: none, or
+  /// their own files do.
+  std::string_view shownBy = {};
+  /// Options with which a preview is quick, though it is only a part of what would be written.
+  std::span<const std::pair<std::string_view, std::string_view>> forPreview = {};
 };
 
 // The refusals of several exporters.

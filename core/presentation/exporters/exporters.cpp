@@ -130,6 +130,21 @@ OptionValues withImplied(const Exporter& exporter, OptionValues given) {
   return given;
 }
 
+OptionValues optionsFor(const Exporter& exporter, const OptionValues& given) {
+  OptionValues taken;
+  for (const auto& [name, values] : given.options) {
+    if (takes(exporter, name) || isOfAll(name)) taken.options[name] = values;
+  }
+  return withImplied(exporter, std::move(taken));
+}
+
+std::string exportPurposeTitle(ExportPurpose purpose) {
+  constexpr std::array<std::string_view, kExportPurposes.size()> kTitles = {
+      toTranslate("Print and text"), toTranslate("CAD and making"), toTranslate("Simulators and control"),
+      toTranslate("Web and class"), toTranslate("Data and graphs")};
+  return translated(kTitles.at(static_cast<std::size_t>(purpose)));
+}
+
 std::string wordsFor(const Exporter& exporter, const OptionValues& given) {
   const std::string to = "--to " + std::string(exporter.form);
   const bool isViewed = familyOf(exporter).hasView && isGiven(given, "--view");

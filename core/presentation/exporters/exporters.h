@@ -31,6 +31,11 @@ namespace geargraph {
 /// The first option that means nothing to the family of the exporter, as a sentence that says what it is for.
 [[nodiscard]] std::optional<UsageError> uselessOption(const Exporter& exporter, const OptionValues& given);
 
+/// What people export for, as a dialog calls it, translated.
+[[nodiscard]] std::string exportPurposeTitle(ExportPurpose purpose);
+/// Those of the options that another exporter takes too, with the ones that choose it.
+[[nodiscard]] OptionValues optionsFor(const Exporter& exporter, const OptionValues& given);
+
 /// Every option of `geargraph-cli export`, in the order of the help; `--to`, `-o`, `--state` and `--engage`
 /// are options of all exporters.
 [[nodiscard]] std::span<const OptionText> exportOptionTexts();

@@ -85,7 +85,7 @@ constexpr std::array kGraphExporters = {
 }  // namespace
 
 ExportFamily graphFamily() {
-  return {toTranslate("Graphs"), toTranslate("graphs"), {}, false, kGraphExporters};
+  return {toTranslate("Graphs"), toTranslate("graphs"), {}, false, kGraphExporters, ExportPurpose::data};
 }
 
 }  // namespace geargraph

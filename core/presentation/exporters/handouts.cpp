@@ -114,7 +114,7 @@ constexpr std::array kHandoutExporters = {
 }  // namespace
 
 ExportFamily handoutFamily() {
-  return {toTranslate("Handouts"), toTranslate("handouts"), {}, false, kHandoutExporters};
+  return {toTranslate("Handouts"), toTranslate("handouts"), {}, false, kHandoutExporters, ExportPurpose::web};
 }
 
 }  // namespace geargraph

@@ -36,7 +36,7 @@ constexpr std::array kJointModelExporters = {Exporter{"modelica",
 }  // namespace
 
 ExportFamily jointModelFamily() {
-  return {toTranslate("Models of the joints"), {}, {}, false, kJointModelExporters};
+  return {toTranslate("Models of the joints"), {}, {}, false, kJointModelExporters, ExportPurpose::simulator};
 }
 
 }  // namespace geargraph

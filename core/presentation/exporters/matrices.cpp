@@ -200,7 +200,7 @@ constexpr std::array kMatrixExporters = {
 }  // namespace
 
 ExportFamily matrixFamily() {
-  return {toTranslate("Matrices"), {}, {}, false, kMatrixExporters};
+  return {toTranslate("Matrices"), {}, {}, false, kMatrixExporters, ExportPurpose::data};
 }
 
 }  // namespace geargraph

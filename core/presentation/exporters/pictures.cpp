@@ -315,6 +315,7 @@ constexpr std::array kAnimationExporters = {
     animationExporter("motion-pictures",
                       toTranslate("PNG, one period of the motion, a file for each picture"), kMotionsImplied,
                       true)};
+constexpr std::array kFewPictures = {Implied{"--frames", "2"}};
 constexpr std::array kSeenSolidExporters = {
     Exporter{"glb-3d", "glb", toTranslate("GLB, the train as seen"), toTranslate("solids"), ExportFiles::file,
              "glb", kSeenSolidOptions, kPictureImplied, ExportNeed::tree, kPictureRefusals, writeSeenSolids}};
@@ -323,16 +324,28 @@ constexpr std::array kSeenSolidExporters = {
 
 ExportFamily pictureFamily() {
   return {toTranslate("3D pictures"), toTranslate("3D pictures"), "--to png --view 3d", true,
-          kPictureExporters};
+          kPictureExporters,          ExportPurpose::print};
 }
 
 ExportFamily animationFamily() {
-  return {toTranslate("Animations"), toTranslate("animations"), "--turntable, --motion", true,
-          kAnimationExporters};
+  return {toTranslate("Animations"),
+          toTranslate("animations"),
+          "--turntable, --motion",
+          true,
+          kAnimationExporters,
+          ExportPurpose::web,
+          {},
+          kFewPictures};
 }
 
 ExportFamily seenSolidFamily() {
-  return {toTranslate("The train as seen"), {}, "--to glb --view 3d", true, kSeenSolidExporters};
+  return {toTranslate("The train as seen"),
+          {},
+          "--to glb --view 3d",
+          true,
+          kSeenSolidExporters,
+          ExportPurpose::web,
+          "png-3d"};
 }
 
 }  // namespace geargraph

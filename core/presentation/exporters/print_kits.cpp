@@ -142,7 +142,7 @@ constexpr std::array kKitExporters = {Exporter{"kit",
 }  // namespace
 
 ExportFamily kitFamily() {
-  return {toTranslate("Print kits"), {}, {}, false, kKitExporters};
+  return {toTranslate("Print kits"), {}, {}, false, kKitExporters, ExportPurpose::cad, "png-3d"};
 }
 
 }  // namespace geargraph

@@ -169,7 +169,7 @@ constexpr std::array kSimulatorExporters = {Exporter{"mjcf",
 }  // namespace
 
 ExportFamily simulatorFamily() {
-  return {toTranslate("Simulators"), {}, {}, false, kSimulatorExporters};
+  return {toTranslate("Simulators"), {}, {}, false, kSimulatorExporters, ExportPurpose::simulator, "png-3d"};
 }
 
 }  // namespace geargraph

@@ -166,11 +166,11 @@ constexpr std::array kAssemblyExporters = {Exporter{"assembly",
 }  // namespace
 
 ExportFamily solidFamily() {
-  return {toTranslate("Solids"), {}, {}, false, kSolidExporters};
+  return {toTranslate("Solids"), {}, {}, false, kSolidExporters, ExportPurpose::cad, "png-3d"};
 }
 
 ExportFamily assemblyFamily() {
-  return {toTranslate("Checks of teeth"), {}, {}, false, kAssemblyExporters};
+  return {toTranslate("Checks of teeth"), {}, {}, false, kAssemblyExporters, ExportPurpose::cad, "png-3d"};
 }
 
 }  // namespace geargraph
