@@ -194,6 +194,7 @@ int ProgramStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
 int ProgramStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                             QStyleHintReturn* answer) const {
   if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  if (hint == SH_Menu_Scrollable) return 1;  // else a high menu goes on in a second column
   return QProxyStyle::styleHint(hint, option, widget, answer);
 }
 

@@ -1,16 +1,20 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPointer>
+#include <QPrinter>
 #include <QScreen>
 #include <QStatusBar>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <cmath>
 
 #include "core/mechanism/model/edits.h"
@@ -458,6 +462,20 @@ class WindowHabitsTest : public QObject {
       for (const QKeySequence& key : action->shortcuts()) keys << key.toString();
     }
     QCOMPARE(keys.removeDuplicates(), 0);
+  }
+
+  void theSheetOfKeysPrintsOnOnePage() {
+    const QSizeF landscape(1062, 734);  // A4 within its margins, in pixels
+    const auto page = ShortcutSheet::pageFor(*window->menuBar(), landscape);
+    QCOMPARE(page->pageCount(), 1);
+    QVERIFY(page->size().width() <= landscape.width());
+    for (const char* key : {"Ctrl+K", "F11", "Shift+F"}) QVERIFY2(page->toPlainText().contains(key), key);
+    const QTemporaryDir folder;
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setPageOrientation(QPageLayout::Landscape);
+    printer.setOutputFileName(folder.filePath("keys.pdf"));
+    ShortcutSheet::printOn(printer, *window->menuBar());
+    QVERIFY(QFileInfo(folder.filePath("keys.pdf")).size() > 10'000);
   }
 
   void menusReadCleanly() {

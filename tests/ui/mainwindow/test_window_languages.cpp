@@ -74,7 +74,9 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
     first().findChild<QDockWidget*>(QStringLiteral("dock.matrices"))->hide();
     const MechanismPtr before = first().document().mechanism();
 
+    const QString english = first().document().undoStack().undoText();
     choose(QStringLiteral("de"));
+    QCOMPARE(first().document().undoStack().undoText(), QStringLiteral("Schritt 1"));
     QCOMPARE(set->windows().size(), std::size_t{1});
     QVERIFY(first().isVisible());
     QCOMPARE(menuTitles().first(), QStringLiteral("&Datei"));
@@ -98,6 +100,7 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
     QVERIFY(tipOf(Term::pathMatrix).contains(QStringLiteral("Wegmatrix")));  // core's words
 
     choose(QStringLiteral("en"));
+    QCOMPARE(first().document().undoStack().undoText(), english);
     QCOMPARE(menuTitles().first(), QStringLiteral("&File"));
     QVERIFY(first().document().undoStack().canUndo());
   }
