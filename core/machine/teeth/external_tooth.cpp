@@ -32,24 +32,28 @@ struct Generation {
   }
 };
 
+/// At the pitch circle, in modules.
+double toothThickness(const GearSpec& spec) {
+  return pi / 2 + 2 * spec.profileShift * std::tan(spec.pressureAngle) - spec.backlashAllowance;
+}
+
+/// Distance of the centre of the rack's tip corner from the tooth's centre line, along the pitch line.
+double cornerCentre(double thickness, double depth, double rho, double alpha) {
+  return thickness / 2 + (rho - (rho - depth) * std::sin(alpha)) / std::cos(alpha);
+}
+
 Generation::Generation(const GearSpec& spec) {
   teeth = spec.teeth;
   alpha = spec.pressureAngle;
   rp = teeth / 2.0;
   rb = rp * std::cos(alpha);
-  const double s = pi / 2 + 2 * spec.profileShift * std::tan(alpha) - spec.backlashAllowance;
+  const double s = toothThickness(spec);
   psiB = s / teeth + involute(alpha);
   ra = spec.tipRadius > 0 ? spec.tipRadius : rp + spec.addendum + spec.profileShift;
-  rho = spec.rootRadius;
+  rho = rackCornerRadius(spec);
   const double depth = spec.dedendum - spec.profileShift;  // of the rack's tip below the pitch line
-  // Distance of the corner's centre from the tooth's centre line, along the pitch line; at most half a pitch.
-  const auto centre = [&](double r) { return s / 2 + (r - (r - depth) * std::sin(alpha)) / std::cos(alpha); };
-  if (centre(rho) > pi / 2) {
-    rho = ((pi - s) / 2 * std::cos(alpha) - depth * std::sin(alpha)) / (1 - std::sin(alpha));
-    rho = std::max(rho, 0.0);
-  }
   etaC = rho - depth;
-  xiC = std::min(centre(rho), pi / 2);
+  xiC = std::min(cornerCentre(s, depth, rho, alpha), pi / 2);
   rf = rp - depth;
 }
 
@@ -118,6 +122,16 @@ void addFlank(const Generation& g, double t0, double t1, double tolerance, bool 
 }
 
 }  // namespace
+
+double rackCornerRadius(const GearSpec& spec) {
+  const double depth = spec.dedendum - spec.profileShift, alpha = spec.pressureAngle;
+  const double thickness = toothThickness(spec);
+  // Both corners of the rack's tooth share half a pitch.
+  if (cornerCentre(thickness, depth, spec.rootRadius, alpha) <= pi / 2) return spec.rootRadius;
+  const double room =
+      ((pi - thickness) / 2 * std::cos(alpha) - depth * std::sin(alpha)) / (1 - std::sin(alpha));
+  return std::max(room, 0.0);
+}
 
 double involuteHalfAngle(const GearSpec& spec, double rad) {
   const Generation g(spec);

@@ -48,6 +48,10 @@ constexpr double kNarrowestLand = 0.2;
 /// modules, at the large end. @pre kind bevel
 [[nodiscard]] HalfTooth bevelTooth(const GearSpec& spec, double tolerance);
 
+/// Radius of the tip corner of the rack that cuts the wheel, modules: that of the spec, less where both
+/// corners of its tooth have no room for it.
+[[nodiscard]] double rackCornerRadius(const GearSpec& spec);
+
 /// Half angle of the external tooth at radius `rad`, on the involute. @pre rad >= base radius
 [[nodiscard]] double involuteHalfAngle(const GearSpec& spec, double rad);
 

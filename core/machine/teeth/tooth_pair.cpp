@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/wheel_kind.h"
 
@@ -12,6 +13,12 @@ namespace {
 
 double squareOfSine(const GearSpec& spec) {
   return std::sin(spec.pressureAngle) * std::sin(spec.pressureAngle);
+}
+
+/// How far the rack's straight flank reaches below its pitch line, in modules: as far as its rounded corner
+/// leaves it, which is the addendum at 20 degrees.
+double straightDepth(const GearSpec& spec) {
+  return spec.dedendum - rackCornerRadius(spec) * (1 - std::sin(spec.pressureAngle));
 }
 
 /// Pressure angle of the involute at a radius in modules.
@@ -35,13 +42,13 @@ ActiveFlank planeFlank(const GearSpec& spec, const HalfTooth& tooth) {
 }  // namespace
 
 double fewestTeethWithoutUndercut(const GearSpec& spec) {
-  const double flat = 2 * (spec.addendum - spec.profileShift) / squareOfSine(spec);
+  const double flat = 2 * (straightDepth(spec) - spec.profileShift) / squareOfSine(spec);
   return flat * wheelKind(spec.kind).shareOfVirtual(spec);
 }
 
 double leastShiftWithoutUndercut(const GearSpec& spec) {
   const double teeth = spec.teeth / wheelKind(spec.kind).shareOfVirtual(spec);
-  return spec.addendum - teeth * squareOfSine(spec) / 2;
+  return straightDepth(spec) - teeth * squareOfSine(spec) / 2;
 }
 
 double tipShortening(const GearSpec& a, const GearSpec& b, double distance) {

@@ -5,11 +5,12 @@
 
 namespace geargraph {
 
-/// The smallest tooth count without undercut at the gear's profile shift: 2 (ha - x) / sin^2 a, for bevels
-/// with z / cos d in place of z. Not rounded.
+/// The smallest tooth count without undercut at the gear's profile shift: 2 (h - x) / sin^2 a, for bevels
+/// with z / cos d in place of z. h is the depth of the rack's straight flank, which its rounded corner ends:
+/// the addendum at 20 degrees. Not rounded.
 [[nodiscard]] double fewestTeethWithoutUndercut(const GearSpec& spec);
 
-/// The smallest profile shift without undercut, in modules: ha - z sin^2(a) / 2.
+/// The smallest profile shift without undercut, in modules: h - z sin^2(a) / 2.
 [[nodiscard]] double leastShiftWithoutUndercut(const GearSpec& spec);
 
 /// The tip shortening coefficient of an external pair at a working distance (in modules): k = (a - a0) / m -

@@ -72,6 +72,33 @@ class HelicalTest : public QObject {
                      116.5) < 1e-9);
   }
 
+  /// The teeth as they are cut, and the limits that the message of `undercut` names, say the same.
+  void undercutBeginsAtTheNamedLimits() {
+    int cut = 0, whole = 0;
+    const auto compare = [&](const GearSpec& spec) {
+      const bool isUndercut = externalTooth(spec, 0.01).undercut;
+      const double margin = spec.teeth - fewestTeethWithoutUndercut(spec);
+      QVERIFY(std::abs(margin) > 1e-6);
+      QCOMPARE(isUndercut, margin < 0);
+      QCOMPARE(isUndercut, spec.profileShift < leastShiftWithoutUndercut(spec));
+      ++(isUndercut ? cut : whole);
+    };
+    for (const double helix : {0.0, 8.0, 20.0, 35.0, 45.0, 60.0}) {
+      for (const double pressure : {14.5, 20.0, 25.0}) {
+        for (int teeth = 4; teeth <= 24; ++teeth) {
+          for (const double shift : {-0.2, 0.0, 0.3}) {
+            GearSpec spec = standardGear(GearKind::external, teeth, 2, 10);
+            spec.pressureAngle = pressure * kHelicalDegree;
+            spec.profileShift = shift;
+            compare(helix > 0 ? helical(spec, helix * kHelicalDegree) : spec);
+          }
+        }
+      }
+    }
+    QVERIFY(cut > 50);
+    QVERIFY(whole > 50);
+  }
+
   /// The NREL 5 MW reference gearbox (A. R. Nejad et al., Wind Energy 2016, doi 10.1002/we.1884): sums of the
   /// profile shifts; of a ring its shift less the planet's, positive away from the axis.
   void theReferenceGearbox_data() {
