@@ -54,6 +54,8 @@ const std::vector<Promise>& promises() {
       {"bevel-wrist", 3, 0, {{9, Rational(2, 3)}, {11, 0}, {12, Rational(-8, 9)}}},
       {"helical-reverted-train", 1, 0, {{5, Rational(-1, 6)}, {6, Rational(1, 18)}}},
       {"worm-hoist", 1, 0, {{5, Rational(1, 40)}, {6, Rational(-1, 160)}}},
+      {"hoist-reducer", 1, 0, {{6, Rational(-8, 23)}, {8, Rational(-152, 6785)}}},
+      {"three-speed-hub", 1, 0, {{5, Rational(4, 3)}}},
       {"three-roll-wrist", 3, 0, {{9, Rational(-4, 5)}, {11, 0}, {12, Rational(-2, 3)}}},
   };
   return all;
