@@ -176,10 +176,10 @@ def test_edits_of_geometry():
     m.set_pitch_point(15, None)
     m.flip(m.mesh(15))
     assert m.mesh(15).teeth == (36, 18)
-    n = len(m.links)
-    part = m.split_link(2, m.mesh(16))
-    assert len(m.links) == n + 1 and part.id in (m.mesh(16).tail.id, m.mesh(16).head.id)
-    assert m.merge_links(2, part).id == "2" and len(m.links) == n
+    n, mesh = len(m.links), m.mesh(16)
+    part = m.split_link(2, mesh)  # labels of meshes move on by two
+    assert len(m.links) == n + 1 and part.id in (mesh.tail.id, mesh.head.id)
+    assert m.merge_links(2, part).label == 2 and len(m.links) == n and mesh.label == 16
     with pytest.raises(gg.Error) as weld:
         m.merge_links(3, 3)
     assert weld.value.code == "self-joint"
