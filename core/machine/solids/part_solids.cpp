@@ -147,6 +147,26 @@ std::vector<Bar> barsOf(const Boss& hub, std::span<const Boss> ends) {
   return bars;
 }
 
+/// Each piece of a spider has a smaller hub than the one before, by this factor, so that no two share a
+/// vertex.
+constexpr double kPart = 0.985;
+
+Boss partOf(const Boss& hub, double part) {
+  return {hub.centre, part * hub.radius, part * hub.hole};
+}
+
+/// Those that neither lie in the hub nor around it.
+std::vector<Boss> reachingEnds(const Boss& hub, std::span<const Boss> all) {
+  const double least = std::pow(kPart, static_cast<double>(all.size()));
+  std::vector<Boss> ends;
+  for (const Boss& end : all) {
+    const double distance = (end.centre - hub.centre).norm();
+    const double most = std::max(hub.radius - end.radius, end.radius - least * hub.radius);
+    if (distance > (1 + 1e-6) * most) ends.push_back(end);
+  }
+  return ends;
+}
+
 /// An arc of nodes about a boss, its ends where the neighbours have theirs.
 std::vector<OutlineNode> arcBetween(const Boss& boss, double from, double to, const Vector2d& first,
                                     const Vector2d& last, double tolerance) {
@@ -263,7 +283,7 @@ Solid revolved(std::span<const ProfileVertex> profile, double tolerance) {
   return solid;
 }
 
-Solid tube(double outer, double inner, double from, double to, double tolerance) {
+std::vector<ProfileVertex> tubeProfile(double outer, double inner, double from, double to) {
   const double chamfer = std::min({0.12 * (outer - inner), 0.25 * (to - from)});
   std::vector<ProfileVertex> profile;
   if (inner > 0) {
@@ -273,7 +293,11 @@ Solid tube(double outer, double inner, double from, double to, double tolerance)
   }
   profile.push_back({outer, from + chamfer});
   profile.push_back({outer, to - chamfer});
-  return revolved(profile, tolerance);
+  return profile;
+}
+
+Solid tube(double outer, double inner, double from, double to, double tolerance) {
+  return revolved(tubeProfile(outer, inner, from, to), tolerance);
 }
 
 Solid tubeSector(double outer, double inner, double from, double to, double half, double tolerance) {
@@ -355,15 +379,7 @@ Solid arm(const Boss& a, const Boss& b, double from, double to, double tolerance
 }
 
 Solid spider(const Boss& hub, std::span<const Boss> allEnds, double from, double to, double tolerance) {
-  // Each piece has a smaller hub than the one before, by this factor, so that no two share a vertex.
-  constexpr double kPart = 0.985;
-  const double least = std::pow(kPart, static_cast<double>(allEnds.size()));
-  std::vector<Boss> ends;
-  for (const Boss& end : allEnds) {
-    const double distance = (end.centre - hub.centre).norm();
-    const double most = std::max(hub.radius - end.radius, end.radius - least * hub.radius);
-    if (distance > (1 + 1e-6) * most) ends.push_back(end);
-  }
+  const std::vector<Boss> ends = reachingEnds(hub, allEnds);
   if (ends.empty()) return tube(hub.radius, hub.hole, from, to, tolerance);
   if (ends.size() == 1) return arm(hub, ends.front(), from, to, tolerance);
   std::vector<Bar> bars = barsOf(hub, ends);
@@ -371,11 +387,94 @@ Solid spider(const Boss& hub, std::span<const Boss> allEnds, double from, double
   Solid pieces;
   double part = 1;
   for (const Boss& end : ends) {
-    append(pieces,
-           arm({hub.centre, part * hub.radius, part * hub.hole}, end, part * from, part * to, tolerance));
+    append(pieces, arm(partOf(hub, part), end, part * from, part * to, tolerance));
     part *= kPart;
   }
   return pieces;
+}
+
+FlatShape sectorShape(double outer, double inner, double from, double to, double half) {
+  return {{{Vector2d::Zero(), outer, -half, half}, {Vector2d::Zero(), inner, half, -half}}, {}, from, to};
+}
+
+FlatShape armShape(const Boss& a, const Boss& b, double from, double to) {
+  const Vector2d line = b.centre - a.centre;
+  const double base = std::atan2(line.y(), line.x());
+  const double tangent = std::acos((a.radius - b.radius) / line.norm());
+  FlatShape shape{{{a.centre, a.radius, base + tangent, base + 2 * pi - tangent},
+                   {b.centre, b.radius, base - tangent, base + tangent}},
+                  {},
+                  from,
+                  to};
+  for (const Boss& boss : {a, b}) {
+    if (boss.hole > 0) shape.holes.push_back(boss);
+  }
+  return shape;
+}
+
+std::vector<FlatShape> spiderShapes(const Boss& hub, std::span<const Boss> allEnds, double from, double to) {
+  const std::vector<Boss> ends = reachingEnds(hub, allEnds);
+  if (ends.empty()) return {};
+  if (ends.size() == 1) return {armShape(hub, ends.front(), from, to)};
+  const std::vector<Bar> bars = barsOf(hub, ends);
+  std::vector<FlatShape> shapes;
+  if (bars.empty()) {
+    double part = 1;
+    for (const Boss& end : ends) {
+      shapes.push_back(armShape(partOf(hub, part), end, part * from, part * to));
+      part *= kPart;
+    }
+    return shapes;
+  }
+  FlatShape shape{{}, {}, from, to};
+  if (hub.hole > 0) shape.holes.push_back(hub);
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const Bar& bar = bars[i];
+    const Bar& next = bars[(i + 1) % bars.size()];
+    const double turn = i + 1 < bars.size() ? 0 : 2 * pi;
+    const double open = std::asin(std::min(bar.half / bar.boss.radius, 1.0));
+    shape.outline.push_back({bar.boss.centre, bar.boss.radius, bar.angle - pi + open, bar.angle + pi - open});
+    shape.outline.push_back({hub.centre, hub.radius, bar.angle + std::asin(bar.half / hub.radius),
+                             next.angle + turn - std::asin(next.half / hub.radius)});
+    if (bar.boss.hole > 0) shape.holes.push_back(bar.boss);
+  }
+  shapes.push_back(std::move(shape));
+  return shapes;
+}
+
+/// The hull follows the disc that reaches farthest in each direction. Going round, the next one takes over
+/// where its reach becomes the larger one.
+FlatShape plateShape(std::span<const Boss> corners, double from, double to) {
+  GEARGRAPH_REQUIRE(!corners.empty());
+  const auto reach = [](const Boss& disc) { return disc.centre.x() + disc.radius; };
+  const Boss* current = &*std::max_element(corners.begin(), corners.end(), [&](const Boss& a, const Boss& b) {
+    return reach(a) != reach(b) ? reach(a) < reach(b) : a.centre.y() < b.centre.y();
+  });
+  FlatShape shape{{}, {}, from, to};
+  for (double angle = 0; angle < 2 * pi;) {
+    const Boss* next = nullptr;
+    double change = 2 * pi;
+    for (const Boss& other : corners) {
+      const Vector2d line = other.centre - current->centre;
+      const double excess = (current->radius - other.radius) / line.norm();
+      if (!(std::abs(excess) < 1)) continue;  // one is inside the other, or the same
+      double at = std::atan2(line.y(), line.x()) - std::acos(excess);
+      while (at < angle + 1e-9) at += 2 * pi;
+      if (at < change) {
+        change = at;
+        next = &other;
+      }
+    }
+    shape.outline.push_back({current->centre, current->radius, angle, change});
+    angle = change;
+    if (next != nullptr) current = next;
+  }
+  // The disc that it began with is the last one, too.
+  if (shape.outline.size() > 1 && shape.outline.back().centre == shape.outline.front().centre) {
+    shape.outline.back().to += shape.outline.front().to;
+    shape.outline.erase(shape.outline.begin());
+  }
+  return shape;
 }
 
 Solid plate(std::span<const Boss> corners, double from, double to, double tolerance) {

@@ -24,39 +24,22 @@ double cornerAngle(const WebWindows& w, double radius) {
   return pi / w.count - std::asin((w.spoke / 2 + w.corner) / radius);
 }
 
-/// The outline of the window whose middle is at angle 0, counter-clockwise: arcs about its four corners and
-/// the two circles between them, all tangent.
+/// The outline of the window at angle 0 in points: corners with both ends, circles without.
 std::vector<Node> outlineOf(const WebWindows& w, double tolerance) {
   std::vector<Node> nodes;
-  const double far = w.outer - w.corner;
-  const double near = w.inner + w.corner;
-  const double farAngle = cornerAngle(w, far);
-  const double nearAngle = cornerAngle(w, near);
-  const double side = pi / w.count + pi / 2;  // outward direction of the side at positive angles
-  const auto corner = [&](double radius, double angle, double from, double to) {
-    const Vector2d centre = radius * Vector2d(std::cos(angle), std::sin(angle));
-    const int n =
-        std::max(chordsOfArc(to - from, w.corner, tolerance), static_cast<int>((to - from) / 0.4) + 1);
-    for (int i = 0; i <= n; ++i) {
+  const std::vector<PlanarArc> arcs = windowOutline(w, 0);
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    const auto& [centre, radius, from, to] = arcs[arc];
+    const bool isCorner = arc % 3 != 1;
+    const double sense = to > from ? 1 : -1;
+    int n = chordsOfArc(to - from, radius, tolerance);
+    if (isCorner) n = std::max(n, static_cast<int>((to - from) / 0.4) + 1);
+    for (int i = isCorner ? 0 : 1; i < (isCorner ? n + 1 : n); ++i) {
       const double direction = from + (to - from) * i / n;
       const Vector2d out(std::cos(direction), std::sin(direction));
-      nodes.push_back({centre + w.corner * out, out});
+      nodes.push_back({centre + radius * out, sense * out});
     }
-  };
-  const auto arc = [&](double radius, double from, double to, double sense) {
-    const int n = chordsOfArc(to - from, radius, tolerance);
-    for (int i = 1; i < n; ++i) {
-      const double angle = from + (to - from) * i / n;
-      const Vector2d ray(std::cos(angle), std::sin(angle));
-      nodes.push_back({radius * ray, sense * ray});
-    }
-  };
-  corner(far, -farAngle, -side, -farAngle);
-  arc(w.outer, -farAngle, farAngle, 1);
-  corner(far, farAngle, farAngle, side);
-  corner(near, nearAngle, side, nearAngle + pi);
-  arc(w.inner, nearAngle, -nearAngle, -1);
-  corner(near, -nearAngle, pi - nearAngle, 2 * pi - side);
+  }
   return nodes;
 }
 
@@ -180,6 +163,25 @@ std::optional<WebWindows> windowsFor(double hub, double rim, double half, double
     if (reach < std::sin(0.85 * pi / w.count)) return w;
   }
   return std::nullopt;
+}
+
+std::vector<PlanarArc> windowOutline(const WebWindows& w, double turn) {
+  const double far = w.outer - w.corner;
+  const double near = w.inner + w.corner;
+  const double farAngle = cornerAngle(w, far);
+  const double nearAngle = cornerAngle(w, near);
+  const double side = pi / w.count + pi / 2;  // outward direction of the side at positive angles
+  const auto corner = [&](double radius, double angle, double from, double to) {
+    const Vector2d centre = radius * Vector2d(std::cos(turn + angle), std::sin(turn + angle));
+    return PlanarArc{centre, w.corner, turn + from, turn + to};
+  };
+  const Vector2d middle = Vector2d::Zero();
+  return {corner(far, -farAngle, -side, -farAngle),
+          {middle, w.outer, turn - farAngle, turn + farAngle},
+          corner(far, farAngle, farAngle, side),
+          corner(near, nearAngle, side, nearAngle + pi),
+          {middle, w.inner, turn + nearAngle, turn - nearAngle},
+          corner(near, -nearAngle, pi - nearAngle, 2 * pi - side)};
 }
 
 void addWindowedWeb(ShellBuilder& builder, const WebWindows& windows, int count, double start,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "core/machine/solids/part_solids.h"
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/teeth/gear_spec.h"
 
@@ -22,6 +24,10 @@ struct WebWindows {
 /// Windows for the web of a dressed wheel between these radii; std::nullopt if there is no room for
 /// reasonable ones.
 [[nodiscard]] std::optional<WebWindows> windowsFor(double hub, double rim, double half, double module);
+
+/// The outline of the window whose middle is at the angle `turn`, counter-clockwise: arcs about its corners
+/// and on its two circles, joined by straight lines beside the spokes.
+[[nodiscard]] std::vector<PlanarArc> windowOutline(const WebWindows& windows, double turn);
 
 /// Adds both faces of the web between its circles of `count` vertices from angle `start`, and the windows'
 /// walls.

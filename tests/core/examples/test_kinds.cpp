@@ -52,6 +52,7 @@ QStringList lackingFacets() {
                            std::pair("exercises", &std::as_const(pairTeachings()))) +
          lacking<GearKind>(gearKinds(), gearKindName, std::pair("teeth", &std::as_const(wheelKinds())),
                            std::pair("solids", &std::as_const(wheelForms())),
+                           std::pair("cad", &std::as_const(wheelCads())),
                            std::pair("schematic", &std::as_const(wheelSymbols())));
 }
 
@@ -92,8 +93,9 @@ class KindsTest : public QObject {
     const WheelKind bare{.name = "bare"};
     const AddedFacet<MeshKind, PairKind> pair(pairKinds(), &lonely);
     const AddedFacet<GearKind, WheelKind> wheel(wheelKinds(), &bare);
-    QCOMPARE(lackingFacets(), QStringList({"lonely: placement", "lonely: train", "lonely: ttgraph",
-                                           "lonely: exercises", "bare: solids", "bare: schematic"}));
+    QCOMPARE(lackingFacets(),
+             QStringList({"lonely: placement", "lonely: train", "lonely: ttgraph", "lonely: exercises",
+                          "bare: solids", "bare: cad", "bare: schematic"}));
   }
 
   void kindsHaveNamesOfTheirOwn() {

@@ -6,6 +6,7 @@
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/placement/pair_rule.h"
+#include "core/presentation/brep/wheel_brep.h"
 #include "core/presentation/schematic/wheel_symbol.h"
 #include "core/teaching/exercises/pair_teaching.h"
 #include "core/theory/ttgraph/terminal_rule.h"
@@ -69,9 +70,12 @@ class ToyKind {
       .againstEachOther = "The rollers of mesh %1 turn against each other: %2."};
   const WheelSymbol m_symbol{.side = kBarSide, .setBar = kDiscSymbol.setBar, .away = kDiscSymbol.away};
 
+  const WheelCad m_cad{.make = kSmoothCad.make};
+
   AddedFacet<GearKind, WheelKind> m_wheel;
   AddedFacet<GearKind, WheelForm> m_form{wheelForms(), m_wheel.kind(), &m_rollerForm};
   AddedFacet<GearKind, WheelSymbol> m_drawn{wheelSymbols(), m_wheel.kind(), &m_symbol};
+  AddedFacet<GearKind, WheelCad> m_faces{wheelCads(), m_wheel.kind(), &m_cad};
   AddedFacet<MeshKind, PairKind> m_pair{pairKinds(), &m_friction};
   AddedFacet<MeshKind, PairRule> m_rule{pairRules(), m_pair.kind(), &kExternalRule};
   AddedFacet<MeshKind, PairWheels> m_wheels{pairWheels(), m_pair.kind(), &m_rollers};
