@@ -4,13 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace geargraph {
 
-/// A program that reads a file from its standard input and writes its result to standard output.
+/// A program that reads a file, or bytes, from its standard input and writes its result to standard output.
 struct ChildProgram {
   std::filesystem::path program;
   std::vector<std::string> words;  ///< command line arguments
@@ -19,6 +22,10 @@ struct ChildProgram {
   std::size_t mostOutput = 0;  ///< bytes that are kept
   std::size_t mostErrors = 0;  ///< bytes of standard error that are kept
   std::chrono::steady_clock::time_point deadline{};
+  /// All of standard error so far, whenever there is more of it, on the caller's thread; may be empty.
+  /// Portable version: not called.
+  std::function<void(std::string_view)> heard = {};
+  std::optional<std::string_view> given = {};  ///< what it reads instead of a file
 };
 
 enum class ChildEnd {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -107,7 +108,10 @@ std::optional<ChildEnd> listen(Descriptor output, Descriptor errors, const Child
     std::array<pollfd, 2> ends = {pollfd{output.number(), POLLIN, 0}, pollfd{errors.number(), POLLIN, 0}};
     if (::poll(ends.data(), ends.size(), kLookAround) <= 0) continue;
     if (ends[0].revents != 0 && !take(output.number(), result.output, child.mostOutput)) output.close();
-    if (ends[1].revents != 0 && !take(errors.number(), result.errors, child.mostErrors)) errors.close();
+    if (ends[1].revents == 0) continue;
+    const std::size_t before = result.errors.size();
+    if (!take(errors.number(), result.errors, child.mostErrors)) errors.close();
+    if (child.heard && result.errors.size() > before) child.heard(result.errors);
   }
   return std::nullopt;
 }
@@ -130,6 +134,21 @@ Descriptor openInput(const ChildProgram& child, ChildResult& result) {
   return Descriptor();
 }
 
+/// Bytes as a file without a name, which cannot block like a pipe that nobody reads.
+Descriptor fileOf(std::string_view bytes) {
+  Descriptor file(::memfd_create("input", MFD_CLOEXEC));
+  while (file.isOpen() && !bytes.empty()) {
+    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
+    if (count > 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      file.close();
+    }
+  }
+  if (file.isOpen() && ::lseek(file.number(), 0, SEEK_SET) != 0) file.close();
+  return file;
+}
+
 std::optional<std::pair<Descriptor, Descriptor>> pipe() {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
@@ -140,7 +159,7 @@ std::optional<std::pair<Descriptor, Descriptor>> pipe() {
 
 ChildResult runChild(const ChildProgram& child, const std::stop_token& stop) {
   ChildResult result;
-  const Descriptor input = openInput(child, result);
+  const Descriptor input = child.given ? fileOf(*child.given) : openInput(child, result);
   if (!input.isOpen()) return result;
   auto output = pipe(), errors = pipe();
   if (!output || !errors) {

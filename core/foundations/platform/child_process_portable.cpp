@@ -142,15 +142,22 @@ ChildEnd waitFor(processes::child& process, const ChildProgram& child, const fs:
 
 ChildResult runChild(const ChildProgram& child, const std::stop_token& stop) {
   ChildResult result;
-  result.end = inputProblem(child, result);
-  if (result.end != ChildEnd::exited) return result;
+  const ScratchFolder folder;
+  if (child.given) {
+    const File written = folder.isMade() ? opened(folder.file("input"), true) : File();
+    if (!written ||
+        std::fwrite(child.given->data(), 1, child.given->size(), written.get()) != child.given->size())
+      return result;
+  } else {
+    result.end = inputProblem(child, result);
+    if (result.end != ChildEnd::exited) return result;
+  }
   errno = 0;
-  const File input = opened(child.input, false);
+  const File input = opened(child.given ? folder.file("input") : child.input, false);
   if (!input) {
     result.end = errno == EMFILE ? ChildEnd::tooManyFiles : ChildEnd::inputUnreadable;
     return result;
   }
-  const ScratchFolder folder;
   result.end = ChildEnd::notStarted;
   if (!folder.isMade()) return result;
   const fs::path answer = folder.file("answer"), report = folder.file("report");
