@@ -8828,8 +8828,8 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>mit glb: wie lange eine Periode spielt (sonst: so lange sie dauert; bei einer für eine Datei zu langen so viele Sekunden der Bewegung, 60)</translation>
     </message>
     <message>
-        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, mjcf and urdf (0.01)</source>
-        <translation>größte Sehnenabweichung von der exakten Form (0.002; bei großen Getrieben so fein, wie 10 Millionen Dreiecke erlauben); auch mit assembly, mjcf und urdf (0.01)</translation>
+        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, step (farthest surface of a tooth, 0.001), mjcf and urdf (0.01)</source>
+        <translation>größte Sehnenabweichung von der exakten Form (0.002; bei großen Getrieben so fein, wie 10 Millionen Dreiecke erlauben); auch mit assembly, step (größter Abstand der Zahnflächen, 0.001), mjcf und urdf (0.01)</translation>
     </message>
     <message>
         <source>mjcf: speed (servos with rotors, the default), torque or none</source>
@@ -19099,6 +19099,70 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>Cutting profiles</source>
         <translation>Schnittprofile</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step, which writes STEP files, is not installed; it is in the package of that name.</source>
+        <translation>Das Programm geargraph-step, das STEP-Dateien schreibt, ist nicht installiert; es ist im Paket dieses Namens.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE could not make the solids or write the file.</source>
+        <translation>OpenCASCADE konnte die Körper nicht bilden oder die Datei nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>There are no solids to write.</source>
+        <translation>Es gibt keine Körper zu schreiben.</translation>
+    </message>
+    <message>
+        <source>More than %1 faces are too many for a STEP file; --gear and --link export a part.</source>
+        <translation>Mehr als %1 Flächen sind zu viele für eine STEP-Datei; --gear und --link exportieren einen Teil.</translation>
+    </message>
+    <message>
+        <source>Teeth of a worm&apos;s wheel are within %1 modules instead of %2 (--tolerance).</source>
+        <translation>Zähne eines Schneckenrads weichen bis zu %1 statt %2 Module ab (--tolerance).</translation>
+    </message>
+    <message>
+        <source>Of %1 part(s) the solids could not be united; they overlap.</source>
+        <translation>Bei %1 Teil(en) konnten die Körper nicht vereinigt werden; sie durchdringen sich.</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2 solids, teeth within %3 modules of their exact form.</source>
+        <translation>%1 Teile, %2 Körper, Zähne höchstens %3 Module von ihrer exakten Form.</translation>
+    </message>
+    <message>
+        <source>STEP (AP214), for CAD</source>
+        <translation>STEP (AP214), für CAD</translation>
+    </message>
+    <message>
+        <source>an assembly for CAD</source>
+        <translation>eine Baugruppe für CAD</translation>
+    </message>
+    <message>
+        <source>CAD</source>
+        <translation>CAD</translation>
+    </message>
+    <message>
+        <source>Writing the STEP file took longer than %1 s.</source>
+        <translation>Das Schreiben der STEP-Datei dauerte länger als %1 s.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step crashed; nothing was written.</source>
+        <translation>Das Programm geargraph-step ist abgestürzt; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step cannot be run.</source>
+        <translation>Das Programm geargraph-step kann nicht ausgeführt werden.</translation>
+    </message>
+    <message>
+        <source>The STEP file takes more memory or more bytes than there may be; export a part of the train.</source>
+        <translation>Die STEP-Datei braucht mehr Speicher oder mehr Bytes als erlaubt; exportieren Sie einen Teil des Getriebes.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE finds no valid solid in &quot;%1&quot;; nothing was written.</source>
+        <translation>OpenCASCADE findet keinen gültigen Körper in „%1“; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step failed; nothing was written.</source>
+        <translation>Das Programm geargraph-step ist gescheitert; es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number.</source>

@@ -8828,8 +8828,8 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>con glb: cuánto dura un período (si no: lo que dura; de un período demasiado largo para un archivo, tantos segundos del movimiento, 60)</translation>
     </message>
     <message>
-        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, mjcf and urdf (0.01)</source>
-        <translation>mayor desviación de la cuerda respecto a la forma exacta (0.002; en trenes grandes, tan fino como permitan 10 millones de triángulos); también con assembly, mjcf y urdf (0.01)</translation>
+        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, step (farthest surface of a tooth, 0.001), mjcf and urdf (0.01)</source>
+        <translation>mayor desviación de la cuerda respecto a la forma exacta (0.002; en trenes grandes, tan fino como permitan 10 millones de triángulos); también con assembly, step (mayor distancia de las superficies de los dientes, 0.001), mjcf y urdf (0.01)</translation>
     </message>
     <message>
         <source>mjcf: speed (servos with rotors, the default), torque or none</source>
@@ -19099,6 +19099,70 @@ pares / portasatélites: %3</translation>
     <message>
         <source>Cutting profiles</source>
         <translation>Perfiles de corte</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step, which writes STEP files, is not installed; it is in the package of that name.</source>
+        <translation>El programa geargraph-step, que escribe archivos STEP, no está instalado; está en el paquete de ese nombre.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE could not make the solids or write the file.</source>
+        <translation>OpenCASCADE no pudo formar los sólidos o escribir el archivo.</translation>
+    </message>
+    <message>
+        <source>There are no solids to write.</source>
+        <translation>No hay sólidos que escribir.</translation>
+    </message>
+    <message>
+        <source>More than %1 faces are too many for a STEP file; --gear and --link export a part.</source>
+        <translation>Más de %1 caras son demasiadas para un archivo STEP; --gear y --link exportan una parte.</translation>
+    </message>
+    <message>
+        <source>Teeth of a worm&apos;s wheel are within %1 modules instead of %2 (--tolerance).</source>
+        <translation>Los dientes de una corona de tornillo sin fin se desvían hasta %1 módulos en vez de %2 (--tolerance).</translation>
+    </message>
+    <message>
+        <source>Of %1 part(s) the solids could not be united; they overlap.</source>
+        <translation>En %1 pieza(s) los sólidos no se pudieron unir; se solapan.</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2 solids, teeth within %3 modules of their exact form.</source>
+        <translation>%1 piezas, %2 sólidos, dientes a no más de %3 módulos de su forma exacta.</translation>
+    </message>
+    <message>
+        <source>STEP (AP214), for CAD</source>
+        <translation>STEP (AP214), para CAD</translation>
+    </message>
+    <message>
+        <source>an assembly for CAD</source>
+        <translation>un ensamblaje para CAD</translation>
+    </message>
+    <message>
+        <source>CAD</source>
+        <translation>CAD</translation>
+    </message>
+    <message>
+        <source>Writing the STEP file took longer than %1 s.</source>
+        <translation>Escribir el archivo STEP tardó más de %1 s.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step crashed; nothing was written.</source>
+        <translation>El programa geargraph-step se cerró de forma inesperada; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step cannot be run.</source>
+        <translation>El programa geargraph-step no se puede ejecutar.</translation>
+    </message>
+    <message>
+        <source>The STEP file takes more memory or more bytes than there may be; export a part of the train.</source>
+        <translation>El archivo STEP necesita más memoria o más bytes de lo permitido; exporte una parte del tren.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE finds no valid solid in &quot;%1&quot;; nothing was written.</source>
+        <translation>OpenCASCADE no encuentra un sólido válido en «%1»; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step failed; nothing was written.</source>
+        <translation>El programa geargraph-step falló; no se escribió nada.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number.</source>

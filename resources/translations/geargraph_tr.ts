@@ -8826,8 +8826,8 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>glb ile: bir periyodun ne kadar sürdüğü (yoksa kendi süresi; dosya için çok uzunsa hareketin bu kadar saniyesi, 60)</translation>
     </message>
     <message>
-        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, mjcf and urdf (0.01)</source>
-        <translation>kesin biçimden en büyük kiriş sapması (0.002; büyük takımlarda 10 milyon üçgenin izin verdiği kadar ince); assembly, mjcf ve urdf ile de (0.01)</translation>
+        <source>farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles allow); also with assembly, step (farthest surface of a tooth, 0.001), mjcf and urdf (0.01)</source>
+        <translation>kesin biçimden en büyük kiriş sapması (0.002; büyük takımlarda 10 milyon üçgenin izin verdiği kadar ince); assembly, step (diş yüzeylerinin en büyük sapması, 0.001), mjcf ve urdf ile de (0.01)</translation>
     </message>
     <message>
         <source>mjcf: speed (servos with rotors, the default), torque or none</source>
@@ -19097,6 +19097,70 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>Cutting profiles</source>
         <translation>Kesim profilleri</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step, which writes STEP files, is not installed; it is in the package of that name.</source>
+        <translation>STEP dosyalarını yazan geargraph-step programı kurulu değil; aynı adlı pakettedir.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE could not make the solids or write the file.</source>
+        <translation>OpenCASCADE katıları oluşturamadı ya da dosyayı yazamadı.</translation>
+    </message>
+    <message>
+        <source>There are no solids to write.</source>
+        <translation>Yazılacak katı yok.</translation>
+    </message>
+    <message>
+        <source>More than %1 faces are too many for a STEP file; --gear and --link export a part.</source>
+        <translation>%1 yüzeyden fazlası bir STEP dosyası için çok; --gear ve --link bir parçayı dışa aktarır.</translation>
+    </message>
+    <message>
+        <source>Teeth of a worm&apos;s wheel are within %1 modules instead of %2 (--tolerance).</source>
+        <translation>Sonsuz vida çarkının dişleri %2 yerine %1 modül içindedir (--tolerance).</translation>
+    </message>
+    <message>
+        <source>Of %1 part(s) the solids could not be united; they overlap.</source>
+        <translation>%1 parçanın katıları birleştirilemedi; üst üste biniyorlar.</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2 solids, teeth within %3 modules of their exact form.</source>
+        <translation>%1 parça, %2 katı, dişler kesin biçimlerinden en çok %3 modül sapar.</translation>
+    </message>
+    <message>
+        <source>STEP (AP214), for CAD</source>
+        <translation>STEP (AP214), CAD için</translation>
+    </message>
+    <message>
+        <source>an assembly for CAD</source>
+        <translation>CAD için bir montaj</translation>
+    </message>
+    <message>
+        <source>CAD</source>
+        <translation>CAD</translation>
+    </message>
+    <message>
+        <source>Writing the STEP file took longer than %1 s.</source>
+        <translation>STEP dosyasını yazmak %1 s&apos;den uzun sürdü.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step crashed; nothing was written.</source>
+        <translation>geargraph-step programı çöktü; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step cannot be run.</source>
+        <translation>geargraph-step programı çalıştırılamıyor.</translation>
+    </message>
+    <message>
+        <source>The STEP file takes more memory or more bytes than there may be; export a part of the train.</source>
+        <translation>STEP dosyası izin verilenden çok bellek ya da bayt gerektiriyor; takımın bir parçasını dışa aktarın.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE finds no valid solid in &quot;%1&quot;; nothing was written.</source>
+        <translation>OpenCASCADE &quot;%1&quot; içinde geçerli katı bulamadı; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>The program geargraph-step failed; nothing was written.</source>
+        <translation>geargraph-step programı başarısız oldu; hiçbir şey yazılmadı.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number.</source>

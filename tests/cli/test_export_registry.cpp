@@ -88,6 +88,8 @@ class ExportRegistryTest : public QObject {
   void everyExporterIsReached() {
     const QTemporaryDir folder;
     for (const Exporter* exporter : allExporters()) {
+      if (exporter->missing != nullptr && !exporter->missing().empty())
+        continue;  // a program that was not built
       const bool isFolder = exporter->files == ExportFiles::folder;
       const QString path = isFolder ? folder.filePath(bytesOf(exporter->id)) : "-";
       const Answered answered = ran(wordsOf(*exporter, path));

@@ -1,4 +1,4 @@
-# Debian packages: geargraph, geargraph-cli (without Qt) and python3-geargraph. Sourced by tools/package.
+# Debian packages: geargraph, geargraph-cli (without Qt), geargraph-step (OpenCASCADE) and python3-geargraph. Sourced by tools/package.
 
 # Each release has packages of its own, of libraries that other releases do not have.
 debian_version() {
@@ -66,13 +66,20 @@ make_debian_packages() {
   install -D -m 644 "$out/texts/geargraph-cli.bash" \
     "$out/stage/geargraph-cli/usr/share/bash-completion/completions/geargraph-cli"
   install -D -m 644 "$out/texts/_geargraph-cli" "$out/stage/geargraph-cli/usr/share/zsh/vendor-completions/_geargraph-cli"
-  make_debian_package geargraph-cli science "" 'Recommends: libgl1-mesa-dri' \
+  make_debian_package geargraph-cli science "" $'Recommends: libgl1-mesa-dri\nSuggests: geargraph-step' \
     'analysis of geared mechanisms on the command line' \
     'Degrees of freedom, speeds, torques, motion and drawings of epicyclic trains,
  planetary gearboxes and bevel-gear wrists, by the Matroid method and by the
  T-T graph method, exactly; exports for print, 3D programs and simulators.
  .
  It needs neither a display nor Qt.'
+
+  stage_component geargraph-step step
+  make_debian_package geargraph-step science "geargraph-cli (= $(debian_version))" '' \
+    'STEP files of geared mechanisms, for CAD' \
+    'With this program GearGraph exports wheels, bodies and whole trains as STEP
+ assemblies: solids with exact planes and cylinders, and with teeth as B-spline
+ surfaces. It is run by the editor, the command line and the Python module.'
 
   stage_component geargraph editor
   install -m 644 "$out/texts/org.geargraph.geargraph.metainfo.xml" "$out/stage/geargraph/usr/share/metainfo"

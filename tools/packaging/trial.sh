@@ -61,6 +61,16 @@ try_command_line() {
     [ \"\$(head -c 4 thumbnail.png | tail -c 3)\" = PNG ]"
 }
 
+try_step() {
+  local examples=/usr/share/geargraph/examples
+  fresh_system geargraph-step "$release"
+  cp "$out"/geargraph-cli_*.deb "$out"/geargraph-step_*.deb "$system/tmp/"
+  apt_inside /tmp/geargraph-cli_*.deb
+  inside "! geargraph-cli export $examples/robot.geargraph --to step -o /tmp/robot.step && [ ! -e /tmp/robot.step ]"
+  apt_inside /tmp/geargraph-step_*.deb
+  inside "geargraph-cli export $examples/robot.geargraph --to step -o /tmp/robot.step && grep -q MANIFOLD_SOLID_BREP /tmp/robot.step"
+}
+
 try_python() {
   local examples=/usr/share/geargraph/examples
   fresh_system python3-geargraph "$release"
@@ -94,6 +104,7 @@ try_editor() {
 
 try_debian_packages() {
   try_command_line
+  try_step
   try_python
   try_editor
 }

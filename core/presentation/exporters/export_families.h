@@ -14,6 +14,7 @@ namespace geargraph {
 [[nodiscard]] ExportFamily animationFamily();
 [[nodiscard]] ExportFamily seenSolidFamily();
 [[nodiscard]] ExportFamily solidFamily();
+[[nodiscard]] ExportFamily cadFamily();
 [[nodiscard]] ExportFamily profileFamily();
 [[nodiscard]] ExportFamily assemblyFamily();
 [[nodiscard]] ExportFamily kitFamily();

@@ -200,7 +200,8 @@ constexpr std::array kRows = {
             {"--tolerance", "MODULES",
              toTranslate(
                  "farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles "
-                 "allow); also with assembly, mjcf and urdf (0.01)")},
+                 "allow); also with assembly, step (farthest surface of a tooth, 0.001), mjcf and urdf "
+                 "(0.01)")},
             kOfSolids),
         toTranslate("Tolerance")},
     Row{composed({"--bed", "WxD", toTranslate("the plate of the printer, mm (220x220)")}, kOfKits),

@@ -102,6 +102,8 @@ struct Exporter {
   /// implied options
   ExportResult (*write)(ExportContext& context, const OptionValues& given, const ExportTarget& target,
                         const std::stop_token& stop) = nullptr;
+  /// Why this system cannot write it, as a sentence; empty: it can. Null: every system can.
+  std::string (*missing)() = nullptr;
 };
 
 /// What people export for.

@@ -65,9 +65,10 @@ std::optional<int> fitOf(const Exporter& exporter, const OptionValues& given) {
 
 std::span<const ExportFamily> exportFamilies() {
   static const std::array kFamilies = {
-      matrixFamily(),    derivationFamily(), handoutFamily(),    drawingFamily(), pictureFamily(),
-      animationFamily(), seenSolidFamily(),  solidFamily(),      profileFamily(), assemblyFamily(),
-      kitFamily(),       simulatorFamily(),  jointModelFamily(), graphFamily(),   controllerFamily()};
+      matrixFamily(),    derivationFamily(), handoutFamily(),   drawingFamily(),
+      pictureFamily(),   animationFamily(),  seenSolidFamily(), solidFamily(),
+      cadFamily(),       profileFamily(),    assemblyFamily(),  kitFamily(),
+      simulatorFamily(), jointModelFamily(), graphFamily(),     controllerFamily()};
   return kFamilies;
 }
 
@@ -177,6 +178,8 @@ const OptionText& exportOptionText(std::string_view name) {
 }
 
 std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live) {
+  if (std::string why = exporter.missing != nullptr ? exporter.missing() : std::string(); !why.empty())
+    return why;
   if (exporter.need == ExportNeed::nothing) return {};
   if (!live.tree) return translated("The turning joints are no spanning tree.");
   if (exporter.need == ExportNeed::tree) return {};

@@ -44,8 +44,8 @@ namespace geargraph {
 /// What a dialog calls an option, translated. @pre an exporter lists it
 [[nodiscard]] std::string exportOptionTitle(std::string_view name);
 
-/// Why an exporter has nothing to write of a mechanism, by its live analysis, as a sentence; empty if
-/// ExportNeed is met. Cheap.
+/// Why an exporter cannot write anything here, or has nothing to write of a mechanism by its live analysis,
+/// as a sentence; empty if ExportNeed is met. Cheap.
 [[nodiscard]] std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live);
 
 }  // namespace geargraph

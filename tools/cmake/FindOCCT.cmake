@@ -1,0 +1,23 @@
+# OpenCASCADE, as far as STEP files need it: the target OCCT::OCCT. Debian's packages bring no CMake files.
+set(toolkits TKXDESTEP TKSTEP TKSTEP209 TKSTEPAttr TKSTEPBase TKXSBase TKXCAF TKLCAF TKCAF TKCDF TKBO TKShHealing TKTopAlgo TKGeomAlgo
+  TKPrim TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
+find_path(OCCT_INCLUDE_DIR Standard_Version.hxx PATH_SUFFIXES opencascade)
+set(OCCT_LIBRARIES "")
+set(found TRUE)
+foreach(toolkit IN LISTS toolkits)
+  find_library(OCCT_${toolkit} ${toolkit})
+  mark_as_advanced(OCCT_${toolkit})
+  list(APPEND OCCT_LIBRARIES ${OCCT_${toolkit}})
+  if(NOT OCCT_${toolkit})
+    set(found FALSE)
+  endif()
+endforeach()
+mark_as_advanced(OCCT_INCLUDE_DIR)
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OCCT REQUIRED_VARS OCCT_INCLUDE_DIR found)
+if(OCCT_FOUND AND NOT TARGET OCCT::OCCT)
+  add_library(OCCT::OCCT INTERFACE IMPORTED)
+  target_include_directories(OCCT::OCCT SYSTEM INTERFACE ${OCCT_INCLUDE_DIR})
+  target_link_libraries(OCCT::OCCT INTERFACE ${OCCT_LIBRARIES})
+endif()
