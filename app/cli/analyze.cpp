@@ -47,12 +47,12 @@ int runAnalyze(const Arguments& arguments) {
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (!arguments.has("--json")) {
-    return print((snapshot ? analysisText(*snapshot) + (diagnostics.empty() ? "" : "\n") : "") +
+    return print((snapshot ? analysisText(snapshot) + (diagnostics.empty() ? "" : "\n") : "") +
                      diagnosticLines(file, diagnostics),
                  status);
   }
   StandardOutput out;
-  writeAnalysisJson(out, snapshot.get(), diagnostics, {.dense = arguments.has("--dense")});
+  writeAnalysisJson(out, snapshot, diagnostics, {.dense = arguments.has("--dense")});
   return out.failed() ? fileFailure(translated("Standard output could not be written.")) : status;
 }
 

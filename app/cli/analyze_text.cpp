@@ -1,10 +1,11 @@
 #include "app/cli/analyze_text.h"
 
-#include <algorithm>
 #include <unordered_map>
 
 #include "app/cli/solution_text.h"
 #include "core/foundations/base/translation.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 
 namespace geargraph::cli {
 namespace {
@@ -63,63 +64,37 @@ std::string elements(const Mechanism& m) {
   return text;
 }
 
-std::string title(const IntegerMatrix& matrix) {
-  std::string text =
-      '\n' + std::string(matrixSymbol(matrix.kind())) + "   " + translated(matrixTitle(matrix.kind()));
-  if (const PaperEquation equation = matrixEquation(matrix.kind()); equation != PaperEquation::none)
+std::string title(const ResultTable& table) {
+  const NamedResult& result = table.result();
+  std::string text = '\n' + std::string(result.symbol) + "   " + translated(result.title);
+  if (const PaperEquation equation = result.equation(table.form()); equation != PaperEquation::none)
     text += ", " + translated("Eq. (%1)", {std::to_string(numberOf(equation))});
   return text + '\n';
 }
 
-/// Rows and columns under their labels, zeros as dots, a bar where the matrix is parted.
-std::string grid(const IntegerMatrix& matrix) {
-  std::size_t labelWidth = 0;
-  std::size_t width = 2;
-  for (int row = 0; row < matrix.rows(); ++row)
-    labelWidth = std::max(labelWidth, matrix.rowHeading(row).text.size());
-  for (int column = 0; column < matrix.columns(); ++column) {
-    width = std::max(width, matrix.columnHeading(column).text.size());
-  }
-  const auto part = [&](int column) { return matrix.partition() == column ? " |" : ""; };
-  std::string text = std::string(labelWidth + 2, ' ');
-  for (int column = 0; column < matrix.columns(); ++column) {
-    text += (matrix.partition() == column ? "  " : "") +
-            rightAligned(matrix.columnHeading(column).text, width + 1);
-  }
-  text += '\n';
-  for (int row = 0; row < matrix.rows(); ++row) {
-    text += "  " + rightAligned(matrix.rowHeading(row).text, labelWidth);
-    for (int column = 0; column < matrix.columns(); ++column) {
-      const int value = matrix.entry(row, column);
-      text += part(column) + rightAligned(value == 0 ? "." : std::to_string(value), width + 1);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-std::string matrixText(const IntegerMatrix& matrix) {
+std::string tableText(const ResultTable& table) {
   const std::string shape =
-      countedItems(matrix.rows(), toTranslate("%1 row"), toTranslate("%1 rows")) + ", " +
-      countedItems(matrix.columns(), toTranslate("%1 column"), toTranslate("%1 columns"));
-  if (matrix.rows() == 0 || matrix.columns() == 0) return title(matrix) + "  " + shape + '\n';
-  if (matrix.rows() > kMaxRows || matrix.columns() > kMaxColumns) {
-    return title(matrix) + "  " +
+      countedItems(table.rows(), toTranslate("%1 row"), toTranslate("%1 rows")) + ", " +
+      countedItems(table.columns(), toTranslate("%1 column"), toTranslate("%1 columns"));
+  if (table.rows() == 0 || table.columns() == 0) return title(table) + "  " + shape + '\n';
+  if (table.rows() > kMaxRows || table.columns() > kMaxColumns) {
+    return title(table) + "  " +
            translated("%1: too large to print; see \"export --to csv --matrix %2\"",
-                      {shape, matrixCommandName(matrix.kind())}) +
+                      {shape, table.result().name}) +
            '\n';
   }
-  return title(matrix) + grid(matrix);
+  return title(table) + resultGrid(table);
 }
 
 }  // namespace
 
-std::string analysisText(const AnalysisSnapshot& snapshot) {
-  std::string text = heading(*snapshot.mechanism) + elements(*snapshot.mechanism);
-  for (const IntegerMatrixPtr& matrix : snapshot.matrices) {
-    if (matrix) text += matrixText(*matrix);
+std::string analysisText(const SnapshotPtr& snapshot) {
+  std::string text = heading(*snapshot->mechanism) + elements(*snapshot->mechanism);
+  for (const NamedResult* result : namedResults()) {
+    const ResultTablePtr table = result->isPrinted ? exactTable(*result, {snapshot}) : nullptr;
+    if (table) text += tableText(*table);
   }
-  return text + motionText(snapshot);
+  return text + motionText(*snapshot);
 }
 
 }  // namespace geargraph::cli

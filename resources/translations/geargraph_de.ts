@@ -11702,6 +11702,14 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Die transponierte Lösung</translation>
     </message>
     <message>
+        <source>The torque in every balanced joint for one unit of torque in each loaded one: the solution of the speeds, transposed, with the opposite sign.</source>
+        <translation>Das Moment in jedem ausgleichenden Gelenk für eine Einheit des Moments in jedem belasteten: die Lösung der Geschwindigkeiten, transponiert und mit umgekehrtem Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>A row for each joint and a column for each mesh: the lever of the mesh&apos;s force about the joint&apos;s axis. It is P transposed; a row times the forces is the torque in the joint and that of the loads beyond it.</source>
+        <translation>Eine Zeile für jedes Gelenk und eine Spalte für jeden Zahneingriff: der Hebelarm der Kraft des Zahneingriffs um die Achse des Gelenks. Es ist P transponiert; eine Zeile mal die Kräfte ist das Moment im Gelenk und das der Lasten dahinter.</translation>
+    </message>
+    <message>
         <source>The torques in the balanced joints, $\tau_E$, hold those in the others, $\tau_r$. With the columns of $P$ in the same order as for the speeds,</source>
         <translation>Die Momente in den Gelenken mit Ausgleichsmoment, $\tau_E$, halten die in den anderen, $\tau_r$. Mit den Spalten von $P$ in derselben Reihenfolge wie für die Drehgeschwindigkeiten</translation>
     </message>

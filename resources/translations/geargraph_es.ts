@@ -11702,6 +11702,14 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>La solución traspuesta</translation>
     </message>
     <message>
+        <source>The torque in every balanced joint for one unit of torque in each loaded one: the solution of the speeds, transposed, with the opposite sign.</source>
+        <translation>El momento en cada par equilibrante por una unidad de momento en cada par cargado: la solución de las velocidades, traspuesta y con el signo contrario.</translation>
+    </message>
+    <message>
+        <source>A row for each joint and a column for each mesh: the lever of the mesh&apos;s force about the joint&apos;s axis. It is P transposed; a row times the forces is the torque in the joint and that of the loads beyond it.</source>
+        <translation>Una fila por cada par y una columna por cada engrane: el brazo de la fuerza del engrane respecto al eje del par. Es P traspuesta; una fila por las fuerzas es el momento en el par y el de las cargas más allá de él.</translation>
+    </message>
+    <message>
         <source>The torques in the balanced joints, $\tau_E$, hold those in the others, $\tau_r$. With the columns of $P$ in the same order as for the speeds,</source>
         <translation>Los momentos en los pares equilibrados, $\tau_E$, sostienen los de los demás, $\tau_r$. Con las columnas de $P$ en el mismo orden que para las velocidades,</translation>
     </message>

@@ -11700,6 +11700,14 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Devrik çözüm</translation>
     </message>
     <message>
+        <source>The torque in every balanced joint for one unit of torque in each loaded one: the solution of the speeds, transposed, with the opposite sign.</source>
+        <translation>Yüklü her mafsaldaki bir birim tork için dengeleyen her mafsaldaki tork: hızların çözümü, devriği alınmış ve ters işaretli.</translation>
+    </message>
+    <message>
+        <source>A row for each joint and a column for each mesh: the lever of the mesh&apos;s force about the joint&apos;s axis. It is P transposed; a row times the forces is the torque in the joint and that of the loads beyond it.</source>
+        <translation>Her mafsal için bir satır, her dişli çifti için bir sütun: çiftin kuvvetinin mafsalın eksenine göre kolu. P&apos;nin devriğidir; bir satır kuvvetlerle çarpılınca mafsaldaki tork ve ötesindeki yüklerin torku bulunur.</translation>
+    </message>
+    <message>
         <source>The torques in the balanced joints, $\tau_E$, hold those in the others, $\tau_r$. With the columns of $P$ in the same order as for the speeds,</source>
         <translation>Dengelenen mafsallardaki torklar $\tau_E$, ötekilerdeki $\tau_r$ torklarını tutar. $P$ matrisinin sütunları hızlardaki sırayla alınınca</translation>
     </message>

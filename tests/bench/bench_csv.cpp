@@ -24,7 +24,7 @@
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/matrix_csv.h"
 #include "core/mechanism/graph/matrices.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/named_results.h"
 #include "tests/bench/families.h"
 
 namespace geargraph {
@@ -52,9 +52,9 @@ Mechanism trainOf(Family family) {
 
 struct Case {
   IntegerMatrixPtr matrix;
-  QuantityTablePtr quantity;  ///< in its place for P
-  std::string bytes;          ///< its CSV; of P, which has 1.8 GB, its first part
-  std::size_t size = 0;       ///< of the whole CSV
+  ResultTablePtr quantity;  ///< in its place for P
+  std::string bytes;        ///< its CSV; of P, which has 1.8 GB, its first part
+  std::size_t size = 0;     ///< of the whole CSV
 
   void writeTo(ByteSink& sink) const {
     if (matrix) return writeMatrixCsv<MatrixEntry, UniformRow>(sink, *matrix);
@@ -63,8 +63,8 @@ struct Case {
       columns.push_back(quantity->columnHeading(column).text);
     CsvWriter csv(sink, columns, {});
     for (int row = 0; row < quantity->rows(); ++row) {
-      const std::vector<QuantityEntry> entries = quantity->row(row);
-      csv.sparseRow(quantity->rowHeading(row).text, std::span<const QuantityEntry>(entries));
+      const std::vector<ResultEntry> entries = quantity->row(row);
+      csv.sparseRow(quantity->rowHeading(row).text, std::span<const ResultEntry>(entries));
     }
   }
 };
@@ -91,7 +91,7 @@ const Case& caseOf(Family family) {
   if (isNew && family == Family::coefficients) {
     const SnapshotPtr snapshot =
         analyzeLive(std::make_shared<const Mechanism>(bench::epicyclicTree(kManyLinks)));
-    place->second.quantity = quantityTable(snapshot, QuantityKind::coefficients, EntryForm::fractions);
+    place->second.quantity = resultTable(*resultNamed("p"), {snapshot}, EntryForm::fractions);
   } else if (isNew) {
     const auto graph = std::make_shared<const Digraph>(trainOf(family));
     const auto tree = SpanningTree::of(*graph);

@@ -100,6 +100,19 @@ def test_unknown_matrices_list_the_known_ones(robot):
         robot.analyze().matrix("gamma")
 
 
+def test_quantities_by_name(robot):
+    analysis = robot.analyze()
+    assert analysis.quantity("p") is analysis.coefficients
+    cutsets, circuits = analysis.quantity("tt-cutsets"), analysis.quantity("tt-circuits")
+    assert cutsets.fractions.shape == (7, 15) and circuits.fractions.shape == (8, 15)
+    assert not (circuits.to_numpy() @ cutsets.to_numpy().T).any()  # B Q'ᵀ = 0
+    equations = analysis.quantity("cutset-equations")
+    assert (equations.to_numpy() == analysis.coefficients.to_numpy().T).all()
+    assert equations.fractions is None and equations.symbols is None
+    with pytest.raises(ValueError, match="no quantity 'q'; these are screw, .*tt-cutsets"):
+        analysis.quantity("q")
+
+
 def test_statics_in_a_state():
     m = gg.sets.ravigneaux()
     m.add_torque(100, link=3)

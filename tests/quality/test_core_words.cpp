@@ -69,7 +69,7 @@ QStringList bypassingIn(const QString& source) {
 /// What speaks no language of its reader, and why.
 const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/teaching/derivation/comparison_families.cpp", "names of documents"},
-    {"core/teaching/derivation/matrix_text.cpp", "comments of formats"},
+    {"core/teaching/derivation/result_text.cpp", "comments of formats"},
     {"core/mechanism/document_format/graph_text.cpp", "formats"},
     {"core/mechanism/model/fields.h", "the page of the format and its schema, which are English"},
     {"core/design/atlas/canonical_graph.cpp", "for developers"},

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "core/foundations/base/translation.h"
 #include "ui/models/term_tips.h"
 
 namespace geargraph {
@@ -66,7 +67,7 @@ QString tipOfView(ForceView view) {
 QString titleOf(const ViewFacts& facts) {
   if (facts.view == ForceView::losses) return QObject::tr("Losses");
   if (facts.view == ForceView::efficiency) return QObject::tr("Efficiency");
-  return facts.kind ? shownText(forceTableTitle(*facts.kind)) : QString();
+  return facts.kind ? shownText(translated(forceTableTitle(*facts.kind))) : QString();
 }
 
 QString nameOf(const ViewFacts& facts) {

@@ -21,8 +21,8 @@ void shareEntry(DualityLine& line, MatricesPanel& matrices, Views& views) {
   QObject::connect(&view, &MatrixView::entryHovered, &line, &DualityLine::pointAt);
   QObject::connect(&line, &DualityLine::entryWanted, &matrices, [&matrices, &view, &views] {
     emit views.revealWanted(&matrices);
-    matrices.showQuantity(QuantityKind::coefficients);
-    if (!view.showFramed()) matrices.showMatrix(MatrixKind::cutset);
+    matrices.showResult(*resultNamed("p"));
+    if (!view.showFramed()) matrices.showResult(resultOf(MatrixKind::cutset));
     view.showFramed();
   });
 }

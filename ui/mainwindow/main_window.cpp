@@ -345,10 +345,7 @@ void MainWindow::wireViews() {
   m_workbench->forces().onAnswer(this, [this](const ForcesPtr&) { onForces(); });
   connect(m_views, &Views::tableExportWanted, m_exports, &WindowExports::chooseAndExportTable);
   MatricesPanel& matrices = this->matrices();
-  connect(&matrices, &MatricesPanel::exportWanted, m_exports,
-          qOverload<const IntegerMatrixPtr&>(&WindowExports::chooseAndExport));
-  connect(&matrices, &MatricesPanel::quantityExportWanted, m_exports,
-          &WindowExports::chooseAndExportQuantity);
+  connect(&matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExportResult);
   connect(&matrices.model(), &MatrixModel::matrixChanged, this, &MainWindow::updateCommands);
   for (GraphView* graph : std::initializer_list<GraphView*>{&digraph(), &ttGraph()}) {
     connect(&matrices.view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);

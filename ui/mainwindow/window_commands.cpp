@@ -325,7 +325,7 @@ CommandState MainWindow::commandState() {
   now.isEngaged = !mechanism.engaged.empty();
   m_files->describe(now);
   now.hasMatrix = matrices().model().isThere();
-  now.isQuantity = matrices().model().quantityKind().has_value();
+  now.isQuantity = matrices().model().result().of != ResultOf::graph;
   now.areAnswersOpen = m_areAnswersOpen;
   now.whyNoLoad = drawing().whyNoLoad();
   now.whyNoGear = now.isOneLink() ? drawing().whyNoGear() : QString();

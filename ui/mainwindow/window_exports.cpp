@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "core/foundations/files/file.h"
-#include "core/foundations/files/matrix_csv.h"
 #include "core/foundations/files/stoppable_sink.h"
-#include "core/teaching/derivation/matrix_text.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 #include "ui/mainwindow/csv_dialog.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/export_source.h"
@@ -26,11 +26,6 @@ QString withSuffix(QString path, const QString& suffix) {
 
 /// More of them take longer than a glance, so that a notice tells of them.
 constexpr qint64 kManyEntries = 1'000'000;
-
-template <class Table>
-qint64 entriesOf(const Table& table) {
-  return qint64{table.rows()} * table.columns();
-}
 
 /// @param write writes until the sink fails
 ExportJobs::Job tableJob(const QString& path, qint64 entries, const std::function<void(ByteSink&)>& write) {
@@ -61,42 +56,23 @@ WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Sou
   connect(m_jobs, &ExportJobs::told, this, &WindowExports::noted);
 }
 
-void WindowExports::exportCsv(const IntegerMatrixPtr& matrix, const QString& path,
-                              const CsvOptions& options) {
-  m_jobs->add(tableJob(path, entriesOf(*matrix), [matrix, options](ByteSink& sink) {
-    writeMatrixCsv<MatrixEntry, UniformRow>(sink, *matrix, options);
+void WindowExports::exportCsv(const ResultTablePtr& table, const QString& path, const CsvOptions& options) {
+  m_jobs->add(tableJob(path, qint64{table->rows()} * table->columns(), [table, options](ByteSink& sink) {
+    writeResultCsv(sink, *table, options, CsvEntries::asShown);
   }));
 }
 
-void WindowExports::exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options) {
-  m_jobs->add(tableJob(path, entriesOf(*table),
-                       [table, options](ByteSink& sink) { writeQuantityCsv(sink, *table, options); }));
-}
-
 /// Asks for the options, then for the file.
-void WindowExports::chooseCsv(const QString& name,
-                              const std::function<void(const QString&, const CsvOptions&)>& write) {
+void WindowExports::chooseAndExportResult(const ResultTablePtr& table) {
+  const QString name = shownText(table->result().asciiName);
   auto* dialog = new CsvDialog(name, m_window);
-  connect(dialog, &QDialog::accepted, this, [this, dialog, name, write] {
+  connect(dialog, &QDialog::accepted, this, [this, dialog, name, table] {
     const CsvOptions options = dialog->options();
     const QString path = QFileDialog::getSaveFileName(
         m_window, tr("Export matrix"), name + QStringLiteral(".csv"), tr("CSV files (*.csv);;All files (*)"));
-    if (!path.isEmpty()) write(withSuffix(path, QStringLiteral(".csv")), options);
+    if (!path.isEmpty()) exportCsv(table, withSuffix(path, QStringLiteral(".csv")), options);
   });
   dialog->show();
-}
-
-void WindowExports::chooseAndExport(const IntegerMatrixPtr& matrix) {
-  if (!matrix) return;
-  chooseCsv(
-      QString::fromStdString(matrixAsciiName(matrix->kind())),
-      [this, matrix](const QString& path, const CsvOptions& options) { exportCsv(matrix, path, options); });
-}
-
-void WindowExports::chooseAndExportQuantity(const QuantityTablePtr& table) {
-  chooseCsv(
-      shownText(quantityAsciiName(table->kind())),
-      [this, table](const QString& path, const CsvOptions& options) { exportCsv(table, path, options); });
 }
 
 void WindowExports::chooseAndExportTable(const QString& name, const QString& csv) {

@@ -11,7 +11,7 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/presentation/exercise_sheets/sheet_files.h"
 #include "core/presentation/report/report.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/result_table.h"
 
 class QPrinter;
 class QWidget;
@@ -66,10 +66,9 @@ class WindowExports : public QObject {
   WindowExports(Workbench& workbench, const WindowFiles& files, Sources views, ExportJobs* jobs,
                 PictureClipboard* clipboard, QWidget* window);
 
-  /// Exports a matrix with its labels as CSV; written() follows; a large one can be stopped. Cost: O(rows ·
-  /// columns).
-  void exportCsv(const IntegerMatrixPtr& matrix, const QString& path, const CsvOptions& options = {});
-  void exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options = {});
+  /// Exports a result with its labels as CSV, in the form that it is shown in; written() follows; a large one
+  /// can be stopped. Cost: O(rows · columns).
+  void exportCsv(const ResultTablePtr& table, const QString& path, const CsvOptions& options = {});
   /// Exports a picture of a view; written() follows, immediately for a drawing, later for the 3D view.
   void exportPicture(const PictureOptions& options, const QString& path);
   /// Copies a view as a picture to the clipboard, by the name of its drawing, or "3d": asynchronously, and
@@ -104,8 +103,7 @@ class WindowExports : public QObject {
   // The same with a dialog for the path, and for matrices one for the options of CSV.
   /// With a dialog for the format and its options before it.
   void chooseAndExport();
-  void chooseAndExport(const IntegerMatrixPtr& matrix);
-  void chooseAndExportQuantity(const QuantityTablePtr& table);
+  void chooseAndExportResult(const geargraph::ResultTablePtr& table);
   /// A table that is CSV already; `name`: default file name.
   void chooseAndExportTable(const QString& name, const QString& csv);
   void chooseAndExportPicture(const PictureOptions& options);
@@ -126,7 +124,6 @@ class WindowExports : public QObject {
   void written(const QString& path);
 
  private:
-  void chooseCsv(const QString& name, const std::function<void(const QString&, const CsvOptions&)>& write);
   void exportView3D(const PictureOptions& options, const QString& path);
   void copyView3D();
   [[nodiscard]] std::optional<ReportLists> shownLists();

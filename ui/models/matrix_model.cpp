@@ -56,138 +56,107 @@ MatrixModel::MatrixModel(QObject* parent) : QAbstractTableModel(parent) {
   });
 }
 
-void MatrixModel::setKind(MatrixKind kind) {
-  if (kind == m_kind && !m_quantityKind) return;
-  m_kind = kind;
-  m_quantityKind.reset();
+void MatrixModel::setResult(const NamedResult& result) {
+  if (m_result == &result) return;
+  m_result = &result;
   show(false);
 }
 
-void MatrixModel::setQuantity(QuantityKind kind, EntryForm form) {
-  if (m_quantityKind == kind && m_form == form) return;
-  m_quantityKind = kind;
+void MatrixModel::setWantedForm(EntryForm form) {
+  if (m_form == form) return;
   m_form = form;
-  show(false);
-}
-
-/// A quantity needs the mechanism as it is, not as it would be.
-void MatrixModel::showQuantity() {
-  beginResetModel();
-  m_matrix.reset();
-  m_before.reset();
-  m_quantity.reset();
-  m_rowAsked = -1;
-  const std::vector<EntryForm> forms =
-      m_snapshot ? formsOf(*m_snapshot, *m_quantityKind) : std::vector<EntryForm>();
-  if (!forms.empty()) {
-    const bool there = std::find(forms.begin(), forms.end(), m_form) != forms.end();
-    m_quantity = quantityTable(m_snapshot, *m_quantityKind, there ? m_form : forms.back());
-  }
-  endResetModel();
-  emit matrixChanged();
-}
-
-Heading MatrixModel::rowHeading(int row) const {
-  return m_quantity ? m_quantity->rowHeading(row) : m_matrix->rowHeading(row);
-}
-
-Heading MatrixModel::columnHeading(int column) const {
-  return m_quantity ? m_quantity->columnHeading(column) : m_matrix->columnHeading(column);
+  if (!m_result->isWhole) show(false);
 }
 
 void MatrixModel::setSnapshot(const SnapshotPtr& snapshot) {
-  const bool same = m_snapshot && snapshot && !m_preview && !m_quantityKind &&
-                    sameGraph(*m_snapshot->graph, *snapshot->graph);
+  const bool same =
+      m_snapshot && snapshot && !m_preview && m_matrix && sameGraph(*m_snapshot->graph, *snapshot->graph);
   m_snapshot = snapshot;
   m_preview.reset();  // what was drawn is in the snapshot now, or was given up
-  if (same && m_matrix && snapshot->matrix(m_kind)) {
-    m_matrix = snapshot->matrix(m_kind);  // a drag of teeth leaves the entries alone
-    return;
-  }
-  show(true);
+  const ResultTablePtr next = same ? tableOf(snapshot) : nullptr;
+  if (!next) return show(true);
+  m_table = next;  // a drag of teeth leaves the entries alone
+  m_matrix = m_table->integers();
 }
 
 void MatrixModel::setPreview(std::optional<PreviewSnapshot> preview) {
   if (!preview && !m_preview) return;
   m_preview = std::move(preview);
-  if (!m_quantityKind) show(false);
+  if (m_result->of == ResultOf::graph) show(false);
 }
 
-const AnalysisSnapshot* MatrixModel::shown() const {
-  if (m_preview && m_preview->snapshot->matrix(m_kind)) return m_preview->snapshot.get();
-  return m_snapshot.get();
+ResultTablePtr MatrixModel::tableOf(const SnapshotPtr& snapshot) const {
+  if (!snapshot) return nullptr;
+  const ResultSource source{snapshot};
+  const std::vector<EntryForm> forms = m_result->forms(source);
+  if (forms.empty()) return nullptr;
+  const bool isThere = std::find(forms.begin(), forms.end(), m_form) != forms.end();
+  return resultTable(*m_result, source, isThere ? m_form : forms.back());
 }
 
+/// What is not of the graph alone needs the mechanism as it is, not as it would be: the preview lacks it.
 void MatrixModel::show(bool glow) {
-  if (m_quantityKind) return showQuantity();
-  m_quantity.reset();
-  const AnalysisSnapshot* source = shown();
-  const IntegerMatrixPtr next = source != nullptr ? source->matrix(m_kind) : nullptr;
+  ResultTablePtr next = m_preview ? tableOf(m_preview->snapshot) : nullptr;
+  if (!next) next = tableOf(m_snapshot);
+  const IntegerMatrixPtr matrix = next ? next->integers() : nullptr;
   const IntegerMatrixPtr before = m_matrix;
-  if (next == before && next) return;  // the exact part of an analysis whose matrices are shown already
+  // Is it the exact part of an analysis whose matrices are shown already?
+  if (matrix && matrix == before && &m_table->result() == m_result) return;
   m_rowsBefore.clear();
   m_columnsBefore.clear();
-  m_before = glow && before && next && before->kind() == next->kind() ? before : nullptr;
+  m_before = glow && before && matrix && before->kind() == matrix->kind() ? before : nullptr;
   if (m_before) {
     for (int i = 0; i < before->rows(); ++i) m_rowsBefore.emplace(before->rowHeading(i).element, i);
     for (int j = 0; j < before->columns(); ++j) m_columnsBefore.emplace(before->columnHeading(j).element, j);
     m_glow.start();
   }
-  if (before && next && sameHeadings(*before, *next)) {
-    m_matrix = next;
+  const auto put = [&] {
+    m_table = next;
+    m_matrix = matrix;
+    m_rowAsked = -1;
+  };
+  if (before && matrix && sameHeadings(*before, *matrix)) {
+    put();
     if (rowCount() > 0 && columnCount() > 0) {
       emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     }
   } else {
     beginResetModel();
-    m_matrix = next;
+    put();
     endResetModel();
   }
   emit matrixChanged();
 }
 
 std::set<ElementId> MatrixModel::elementsOfRow(int row) const {
-  if (m_quantity) return m_quantity->elementsOfRow(row);
-  const AnalysisSnapshot& source = *shown();
-  return geargraph::elementsOfRow(m_kind, *source.graph, source.tree.get(), row);
+  return m_table->elementsOfRow(row);
 }
 
 std::set<ElementId> MatrixModel::elementsOfCell(int row, int column) const {
-  std::set<ElementId> elements = elementsOfRow(row);
-  if (m_quantity && m_quantity->headsAreRates()) elements.insert(columnElement(column));
-  if (m_quantity) return elements;
-  const bool pair =
-      m_kind == MatrixKind::incidence || m_kind == MatrixKind::reducedIncidence || m_kind == MatrixKind::path;
-  if (pair) elements.insert(columnElement(column));
-  return elements;
+  return m_table->elementsOfCell(row, column);
 }
 
 CellExplanation MatrixModel::explanation(const QModelIndex& index) const {
-  if (m_quantity) return m_quantity->explanation(index.row(), index.column());
-  const AnalysisSnapshot& source = *shown();
-  return explainCell(m_kind, *source.graph, source.tree.get(), index.row(), index.column());
+  return m_table->explanation(index.row(), index.column());
 }
 
 int MatrixModel::partition() const {
-  if (m_quantity) return m_quantity->partition().value_or(-1);
-  return m_matrix ? m_matrix->partition().value_or(-1) : -1;
+  return m_table ? m_table->partition().value_or(-1) : -1;
 }
 
 int MatrixModel::rowCount(const QModelIndex& parent) const {
-  if (parent.isValid() || !isThere()) return 0;
-  return m_quantity ? m_quantity->rows() : m_matrix->rows();
+  return parent.isValid() || !isThere() ? 0 : m_table->rows();
 }
 
 int MatrixModel::columnCount(const QModelIndex& parent) const {
-  if (parent.isValid() || !isThere()) return 0;
-  return m_quantity ? m_quantity->columns() : m_matrix->columns();
+  return parent.isValid() || !isThere() ? 0 : m_table->columns();
 }
 
 QVariant MatrixModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || !checkIndex(index)) return {};
   const int row = index.row();
   const int column = index.column();
-  if (m_quantity) return quantityData(row, column, role);
+  if (!m_matrix) return entryData(row, column, role);
   switch (role) {
     case Qt::DisplayRole:
       return shownText(printedEntry(m_matrix->entry(row, column)));
@@ -206,13 +175,13 @@ QVariant MatrixModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-QVariant MatrixModel::quantityData(int row, int column, int role) const {
+QVariant MatrixModel::entryData(int row, int column, int role) const {
   if (m_rowAsked != row) {
-    m_rowEntries = m_quantity->row(row);
+    m_rowEntries = m_table->row(row);
     m_rowAsked = row;
   }
   const auto entry = std::find_if(m_rowEntries.begin(), m_rowEntries.end(),
-                                  [column](const QuantityEntry& e) { return e.column == column; });
+                                  [column](const ResultEntry& e) { return e.column == column; });
   const bool zero = entry == m_rowEntries.end();
   const bool formula = !zero && entry->isFormula;
   switch (role) {
@@ -224,7 +193,7 @@ QVariant MatrixModel::quantityData(int row, int column, int role) const {
     case Qt::TextAlignmentRole:
       return int(Qt::AlignCenter);
     case Qt::AccessibleTextRole:
-      return shownText(m_quantity->explanation(row, column).title);
+      return shownText(m_table->explanation(row, column).title);
     case ValueRole:
       return zero ? 0 : (entry->value > 0 ? 1 : -1);
     case FormulaRole:
@@ -242,9 +211,9 @@ QVariant MatrixModel::headerData(int section, Qt::Orientation orientation, int r
     case Qt::DisplayRole:
       return shownText(heading.text);
     case PreviewRole:
-      return !m_quantity && m_preview && heading.element == m_preview->drawnJoint;
+      return m_matrix && m_preview && heading.element == m_preview->drawnJoint;
     case RateRole:
-      return m_quantity && m_quantity->headsAreRates();
+      return m_table->headsAreRates();
     default:
       return {};
   }

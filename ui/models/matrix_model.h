@@ -6,16 +6,14 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/teaching/derivation/cell_explanation.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/named_results.h"
 #include "core/theory/analysis/analysis.h"
 #include "ui/models/joint_preview.h"
 
 namespace geargraph {
 
-/// One matrix of the newest snapshot as a table: an integer matrix, or a quantity (screws, P, solution) in
-/// decimals, fractions or symbols. Entries are computed on demand, so a matrix of 10,000 rows costs only the
-/// rows on the screen.
+/// One result of the newest snapshot as a table: of whole numbers, or in decimals, fractions or symbols.
+/// Entries are computed on demand, so a matrix of 10,000 rows costs only the rows on the screen.
 ///
 /// While an arrow is being drawn the matrix includes its joint.
 class MatrixModel : public QAbstractTableModel {
@@ -23,7 +21,7 @@ class MatrixModel : public QAbstractTableModel {
 
  public:
   enum Role {
-    ValueRole = Qt::UserRole,  ///< int: the entry; the sign of a quantity
+    ValueRole = Qt::UserRole,  ///< int: the sign of the entry
     ChangedRole,               ///< bool: the last edit changed the entry, less than 0.6 s ago
     PreviewRole,               ///< bool: of the joint being drawn
     FormulaRole,               ///< bool: the text is a formula in the gear ratios
@@ -33,21 +31,16 @@ class MatrixModel : public QAbstractTableModel {
 
   explicit MatrixModel(QObject* parent = nullptr);
 
-  [[nodiscard]] MatrixKind kind() const { return m_kind; }
-  void setKind(MatrixKind kind);
-  /// Shows a quantity in this form, or in the nearest available one.
-  void setQuantity(QuantityKind kind, EntryForm form);
-  [[nodiscard]] std::optional<QuantityKind> quantityKind() const { return m_quantityKind; }
-  [[nodiscard]] EntryForm wantedForm() const { return m_form; }
+  [[nodiscard]] const NamedResult& result() const { return *m_result; }
+  /// Shows a result in the wanted form, or in the nearest available one. @pre it lives longer than the model
+  void setResult(const NamedResult& result);
+  void setWantedForm(EntryForm form);
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);
 
-  /// The shown quantity; null if there is none, or an integer matrix is shown.
-  [[nodiscard]] const QuantityTablePtr& quantity() const { return m_quantity; }
-  [[nodiscard]] bool isThere() const { return m_matrix || m_quantity; }
-  /// The shown integer matrix; null if there is none (no snapshot yet, or no spanning tree), or a quantity is
-  /// shown.
-  [[nodiscard]] const IntegerMatrixPtr& matrix() const { return m_matrix; }
+  /// What is shown; null if there is none: no snapshot yet, or the result is undefined.
+  [[nodiscard]] const ResultTablePtr& table() const { return m_table; }
+  [[nodiscard]] bool isThere() const { return m_table != nullptr; }
   /// The newest snapshot without the preview; null before the first.
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
 
@@ -74,24 +67,22 @@ class MatrixModel : public QAbstractTableModel {
   void matrixChanged();  ///< another matrix, or none: update titles and empty states
 
  private:
-  [[nodiscard]] const AnalysisSnapshot* shown() const;
+  [[nodiscard]] ResultTablePtr tableOf(const SnapshotPtr& snapshot) const;
   void show(bool glow);
-  void showQuantity();
-  [[nodiscard]] Heading rowHeading(int row) const;
-  [[nodiscard]] Heading columnHeading(int column) const;
-  [[nodiscard]] QVariant quantityData(int row, int column, int role) const;
+  [[nodiscard]] Heading rowHeading(int row) const { return m_table->rowHeading(row); }
+  [[nodiscard]] Heading columnHeading(int column) const { return m_table->columnHeading(column); }
+  [[nodiscard]] QVariant entryData(int row, int column, int role) const;
   [[nodiscard]] bool isPreview(int row, int column) const;
   [[nodiscard]] bool hasChanged(int row, int column) const;
 
-  MatrixKind m_kind = MatrixKind::cycleBasis;
+  const NamedResult* m_result = &resultOf(MatrixKind::cycleBasis);
   SnapshotPtr m_snapshot;
   std::optional<PreviewSnapshot> m_preview;
-  std::optional<QuantityKind> m_quantityKind;
   EntryForm m_form = EntryForm::symbols;
-  QuantityTablePtr m_quantity;
+  ResultTablePtr m_table;
+  IntegerMatrixPtr m_matrix;    ///< that m_table is of, if any
   mutable int m_rowAsked = -1;  ///< row of m_rowEntries: views ask cell by cell
-  mutable std::vector<QuantityEntry> m_rowEntries;
-  IntegerMatrixPtr m_matrix;
+  mutable std::vector<ResultEntry> m_rowEntries;
   IntegerMatrixPtr m_before;  ///< while changed cells are highlighted: the matrix before the edit; else null
   std::unordered_map<ElementId, int> m_rowsBefore;
   std::unordered_map<ElementId, int> m_columnsBefore;

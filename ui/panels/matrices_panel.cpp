@@ -14,9 +14,10 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "core/foundations/base/contract.h"
 #include "core/foundations/base/locale.h"
 #include "core/foundations/base/translation.h"
-#include "core/teaching/derivation/matrix_text.h"
+#include "core/teaching/derivation/result_text.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/theme/application_theme.h"
@@ -29,8 +30,7 @@ namespace geargraph {
 namespace {
 
 constexpr int kCardWidth = 176;
-constexpr int kWidthForCard = 630;   // beside the matrices of a small train
-constexpr int kFirstQuantity = 100;  // of the chips' ids; before it, those of MatrixKind
+constexpr int kWidthForCard = 630;  // beside the matrices of a small train
 
 /// A chip with a rate on it: few text fonts place a dot on a θ, so it is painted.
 class RateChip : public QToolButton {
@@ -50,6 +50,26 @@ class RateChip : public QToolButton {
     painter.drawEllipse(QPointF(rect().center().x() + 0.5, top), radius, radius);
   }
 };
+
+/// "C" of "C = [T | U]".
+QString withoutParts(const NamedResult& result) {
+  return shownText(result.symbol).section(QLatin1Char('='), 0, 0).trimmed();
+}
+
+/// Name and definition as a tooltip.
+QString tipOf(const NamedResult& result) {
+  if (result.term) return tipOf(*result.term);
+  return QStringLiteral("<p style='white-space:normal'><b>%1 %2</b><br>%3</p>")
+      .arg(shownText(translated(result.title)).toHtmlEscaped(), shownText(result.symbol).toHtmlEscaped(),
+           shownText(definitionOf(result)).toHtmlEscaped());
+}
+
+/// @pre it is among them
+int placeOf(const std::vector<const NamedResult*>& results, const NamedResult& result) {
+  const auto at = std::find(results.begin(), results.end(), &result);
+  GEARGRAPH_REQUIRE(at != results.end());
+  return static_cast<int>(at - results.begin());
+}
 
 QString formName(EntryForm form) {
   switch (form) {
@@ -114,20 +134,12 @@ QWidget* MatricesPanel::makeBar() {
   };
   auto* chips = group();
   m_chips = new QButtonGroup(this);
-  for (const MatrixKind kind : allMatrixKinds()) {
-    addChip(chips, shownText(matrixSymbol(kind)).section(QLatin1Char('='), 0, 0).trimmed(),
-            shownText(matrixCommandName(kind)), termOf(kind), static_cast<int>(kind));
-  }
-  for (const QuantityKind kind : allQuantityKinds()) {
-    addChip(chips, shownText(quantitySymbol(kind)), shownText(quantityCommandName(kind)), termOf(kind),
-            kFirstQuantity + static_cast<int>(kind));
-  }
+  for (const NamedResult* result : namedResults())
+    if (!result->symbol.empty()) addChip(chips, *result);
   connect(m_chips, &QButtonGroup::idToggled, this, &MatricesPanel::nameChip);
-  m_chips->button(static_cast<int>(m_model->kind()))->setChecked(true);
-  connect(m_chips, &QButtonGroup::idClicked, this, [this](int id) {
-    if (id < kFirstQuantity) return showMatrix(static_cast<MatrixKind>(id));
-    showQuantity(static_cast<QuantityKind>(id - kFirstQuantity));
-  });
+  m_chips->button(placeOf(m_results, m_model->result()))->setChecked(true);
+  connect(m_chips, &QButtonGroup::idClicked, this,
+          [this](int id) { showResult(*m_results[static_cast<std::size_t>(id)]); });
   chips->addStretch(1);
 
   auto* controls = group();
@@ -155,28 +167,18 @@ QToolButton* MatricesPanel::makeCopyButton() {
       controlButton(QStringLiteral("copyMatrix"), tr("Copy ▾"), tr("Copy the matrix with its labels"), this);
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
-  using Writer = std::string (*)(const IntegerMatrix&);
-  using QuantityWriter = std::string (*)(const QuantityTable&);
-  struct Format {
-    QString name;
-    Writer matrix;
-    QuantityWriter quantity;
-  };
-  const Format formats[] = {{tr("Table (TSV)"), &matrixTsv, &quantityTsv},
-                            {QStringLiteral("CSV"), &matrixCsv, &quantityCsv},
-                            {QStringLiteral("LaTeX"), &matrixLatex, &quantityLatex},
-                            {QStringLiteral("MATLAB"), &matrixMatlab, &quantityMatlab},
-                            {QStringLiteral("NumPy"), &matrixNumpy, &quantityNumpy}};
-  for (const Format& format : formats) {
-    menu->addAction(format.name, this, [this, format] {
-      if (const QuantityTablePtr table = m_model->quantity()) {
-        copy([table, write = format.quantity] {
+  const std::pair<QString, TableFormat> formats[] = {{tr("Table (TSV)"), TableFormat::tsv},
+                                                     {QStringLiteral("CSV"), TableFormat::csv},
+                                                     {QStringLiteral("LaTeX"), TableFormat::latex},
+                                                     {QStringLiteral("MATLAB"), TableFormat::matlab},
+                                                     {QStringLiteral("NumPy"), TableFormat::numpy}};
+  for (const auto& [name, format] : formats) {
+    menu->addAction(name, this, [this, form = format] {
+      if (const ResultTablePtr table = m_model->table())
+        copy([table, form] {
           const EnglishScope english;  // for other programs
-          return write(*table);
+          return resultText(*table, form);
         });
-      } else if (const IntegerMatrixPtr matrix = m_model->matrix()) {
-        copy([matrix, write = format.matrix] { return write(*matrix); });
-      }
     });
   }
   button->setMenu(menu);
@@ -194,27 +196,30 @@ void MatricesPanel::copy(std::function<std::string()> write) {
   m_writer.request(std::move(write));
 }
 
-void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id) {
-  const bool isRate = term == Term::solution;
+void MatricesPanel::addChip(QLayout* layout, const NamedResult& result) {
+  const bool isRate = result.term == Term::solution;
   QToolButton* chip = isRate ? new RateChip(this) : new QToolButton(this);
-  chip->setText(isRate ? QStringLiteral("θ") : text);
+  const QString tip = tipOf(result);
+  chip->setText(isRate ? QStringLiteral("θ") : withoutParts(result));
   chip->setAccessibleName(
-      tipOf(term).section(QLatin1String("<br>"), 0, 0).remove(QRegularExpression("<[^>]*>")));
-  chip->setObjectName(QStringLiteral("chip.") + name);
-  chip->setToolTip(tipOf(term));
+      QString(tip).section(QLatin1String("<br>"), 0, 0).remove(QRegularExpression("<[^>]*>")));
+  chip->setObjectName(QStringLiteral("chip.") + shownText(result.name));
+  chip->setToolTip(tip);
   chip->setCheckable(true);
   chip->setProperty("look", "symbol");
-  m_chips->addButton(chip, id);
+  m_chips->addButton(chip, static_cast<int>(m_results.size()));
+  m_results.push_back(&result);
   layout->addWidget(chip);
 }
 
 /// The chosen one has room to tell its parts, "C=[T|U]".
 void MatricesPanel::nameChip(int id, bool isChosen) {
-  if (id >= kFirstQuantity) return;
-  const auto kind = static_cast<MatrixKind>(id);
-  const QString symbol = shownText(matrixSymbol(kind)).remove(QLatin1Char(' '));
-  const bool hasParts = isChosen && kind != MatrixKind::cutset;  // not in the paper; the card tells them
-  m_chips->button(id)->setText(hasParts ? symbol : symbol.section(QLatin1Char('='), 0, 0));
+  const NamedResult& result = *m_results[static_cast<std::size_t>(id)];
+  const QString symbol = shownText(result.symbol);
+  if (!symbol.contains(QLatin1Char('='))) return;
+  // Those that are not in the paper are told by the card.
+  const bool hasParts = isChosen && result.equation(EntryForm::fractions) != PaperEquation::none;
+  m_chips->button(id)->setText(hasParts ? QString(symbol).remove(QLatin1Char(' ')) : withoutParts(result));
 }
 
 QToolButton* MatricesPanel::makeFormButton() {
@@ -231,7 +236,7 @@ QToolButton* MatricesPanel::makeFormButton() {
 }
 
 void MatricesPanel::chooseForm(EntryForm form) {
-  if (m_model->quantityKind()) m_model->setQuantity(*m_model->quantityKind(), form);
+  m_model->setWantedForm(form);
 }
 
 QFrame* MatricesPanel::makeCard() {
@@ -265,18 +270,12 @@ void MatricesPanel::setPreview(std::optional<PreviewSnapshot> preview) {
 }
 
 void MatricesPanel::wantExport() {
-  if (m_model->quantity()) return emit quantityExportWanted(m_model->quantity());
-  emit exportWanted(m_model->matrix());
+  if (m_model->table()) emit exportWanted(m_model->table());
 }
 
-void MatricesPanel::showMatrix(MatrixKind kind) {
-  m_chips->button(static_cast<int>(kind))->setChecked(true);
-  m_model->setKind(kind);
-}
-
-void MatricesPanel::showQuantity(QuantityKind kind) {
-  m_chips->button(kFirstQuantity + static_cast<int>(kind))->setChecked(true);
-  m_model->setQuantity(kind, m_model->wantedForm());
+void MatricesPanel::showResult(const NamedResult& result) {
+  m_chips->button(placeOf(m_results, result))->setChecked(true);
+  m_model->setResult(result);
 }
 
 /// The card tells what the cell under the mouse means; without one, what the matrix is.
@@ -292,13 +291,12 @@ void MatricesPanel::explain(const QModelIndex& index) {
     }
     return;
   }
-  const auto quantity = m_model->quantityKind();
-  const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
-  m_cardTitle->setText(shownText(translated(definition.name)));
-  m_cardText->setText(shownText(translated(definition.text)) +
-                      (definition.equation != PaperEquation::none
-                           ? tr(" Eq. (%1)").arg(numberOf(definition.equation))
-                           : QString()));
+  const NamedResult& result = m_model->result();
+  const PaperEquation equation = result.term ? definitionOf(*result.term).equation : PaperEquation::none;
+  m_cardTitle->setText(shownText(translated(result.term ? definitionOf(*result.term).name : result.title)));
+  m_cardText->setText(shownText(definitionOf(result)) + (equation != PaperEquation::none
+                                                             ? tr(" Eq. (%1)").arg(numberOf(equation))
+                                                             : QString()));
 }
 
 void MatricesPanel::fitCard() {
@@ -328,26 +326,25 @@ void MatricesPanel::renew() {
 }
 
 void MatricesPanel::updateForm() {
-  const auto kind = m_model->quantityKind();
-  const bool isOfNumbers = kind && *kind != QuantityKind::ttCircuits && *kind != QuantityKind::ttCutsets;
-  m_form->setVisible(isOfNumbers);  // of whole numbers there is one form
-  if (!m_model->quantity()) return m_form->setEnabled(false);
-  m_form->setEnabled(true);
-  m_form->setText(formName(m_model->quantity()->form()) + QStringLiteral(" ▾"));
-  const std::vector<EntryForm> forms = formsOf(*m_model->snapshot(), *kind);
+  const NamedResult& result = m_model->result();
+  const ResultTablePtr& table = m_model->table();
+  m_form->setVisible(!result.isWhole);
+  m_form->setEnabled(!result.isWhole && table);
+  if (!m_form->isEnabled()) return;
+  m_form->setText(formName(table->form()) + QStringLiteral(" ▾"));
+  const std::vector<EntryForm> forms = result.forms({m_model->snapshot()});
   for (QAction* action : m_form->menu()->actions()) {
     const auto form = static_cast<EntryForm>(action->data().toInt());
     action->setEnabled(std::find(forms.begin(), forms.end(), form) != forms.end());
   }
 }
 
-QString MatricesPanel::whyNoQuantity() const {
-  const SnapshotPtr& snapshot = m_model->snapshot();
-  for (const Diagnostic& diagnostic : snapshot->diagnostics) {
+/// Of a result that is not of the graph alone.
+QString MatricesPanel::whyNoTable() const {
+  for (const Diagnostic& diagnostic : m_model->snapshot()->diagnostics) {
     if (diagnostic.severity() == Severity::error) return shownText(diagnostic.message);
   }
-  const auto kind = m_model->quantityKind();
-  if (kind == QuantityKind::ttCircuits || kind == QuantityKind::ttCutsets)
+  if (m_model->result().isWhole)
     return tr("A mesh has no carrier in the T–T graph, or its kind is not known.");
   return tr("The equations are too many to be written out.");
 }
@@ -355,7 +352,8 @@ QString MatricesPanel::whyNoQuantity() const {
 QString MatricesPanel::whyEmpty() const {
   const SnapshotPtr& snapshot = m_model->snapshot();
   if (!snapshot) return tr("The matrices appear as soon as the mechanism is analysed.");
-  if (m_model->quantityKind() && !m_model->isThere() && snapshot->mechanism->t() > 0) return whyNoQuantity();
+  const bool isOfGraph = m_model->result().of == ResultOf::graph;
+  if (!isOfGraph && !m_model->isThere() && snapshot->mechanism->t() > 0) return whyNoTable();
   if (!m_model->isThere()) {
     QString why;
     for (const Diagnostic& diagnostic : snapshot->diagnostics) {

@@ -38,19 +38,17 @@ class MatricesPanel : public QWidget, public ResultsView, public BackgroundWork 
   void setSnapshot(const SnapshotPtr& snapshot) override;
   [[nodiscard]] QString emptyText() const override;
   void setPreview(std::optional<PreviewSnapshot> preview);
-  void showMatrix(MatrixKind kind);
-  /// Shows the screws, P or the solution in the last chosen form.
-  void showQuantity(QuantityKind kind);
+  /// Shows a result that has a chip, in the last chosen form.
+  void showResult(const NamedResult& result);
 
-  /// Requests the export of the shown matrix or quantity, by one of the two signals.
+  /// Requests the export of what is shown.
   void wantExport();
 
   [[nodiscard]] MatrixModel& model() { return *m_model; }
   [[nodiscard]] MatrixView& view() { return *m_view; }
 
  signals:
-  void exportWanted(const geargraph::IntegerMatrixPtr& matrix);
-  void quantityExportWanted(const geargraph::QuantityTablePtr& table);
+  void exportWanted(const geargraph::ResultTablePtr& table);
   void copied();
   void rejected(const QString& why);  ///< copying failed: why, as a sentence
 
@@ -60,7 +58,7 @@ class MatricesPanel : public QWidget, public ResultsView, public BackgroundWork 
 
  private:
   QWidget* makeBar();
-  void addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id);
+  void addChip(QLayout* layout, const NamedResult& result);
   void nameChip(int id, bool isChosen);
   QToolButton* makeCopyButton();
   void copy(std::function<std::string()> write);
@@ -74,11 +72,12 @@ class MatricesPanel : public QWidget, public ResultsView, public BackgroundWork 
   void renew();
   void updateForm();
   [[nodiscard]] QString whyEmpty() const;
-  [[nodiscard]] QString whyNoQuantity() const;
+  [[nodiscard]] QString whyNoTable() const;
 
   MatrixModel* m_model;
   MatrixView* m_view;
-  QButtonGroup* m_chips = nullptr;
+  QButtonGroup* m_chips = nullptr;            ///< a button's id is the place in m_results
+  std::vector<const NamedResult*> m_results;  ///< those that have a chip
   QToolButton* m_form = nullptr;
   QToolButton* m_copy = nullptr;
   QToolButton* m_export = nullptr;

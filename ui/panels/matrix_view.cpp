@@ -197,7 +197,7 @@ void MatrixView::fitSections() {
 
 /// By column, as wide as its entries; the last one for all columns behind. Empty for whole numbers.
 std::vector<int> MatrixView::widthsOfQuantity() const {
-  if (!m_model->quantity()) return {};
+  if (m_model->table() == nullptr || m_model->table()->integers()) return {};
   const int rows = std::min(m_model->rowCount(), kRowsMeasured);
   const int columns = std::min(m_model->columnCount(), kColumnsMeasured);
   std::vector<int> widths(static_cast<std::size_t>(columns), kNarrowest + 5);
@@ -349,10 +349,7 @@ void MatrixView::hoverCell(const QModelIndex& index) {
 }
 
 void MatrixView::tellCycle(int row) {
-  const auto quantity = m_model->quantityKind();
-  const bool cycles =
-      quantity ? quantity == QuantityKind::coefficients
-               : m_model->kind() == MatrixKind::spanningTree || m_model->kind() == MatrixKind::cycleBasis;
+  const bool cycles = m_model->result().rowsAreCycles;
   emit cycleHovered(cycles && row >= 0 ? MeshId(m_model->rowElement(row).id) : MeshId());
 }
 

@@ -11,7 +11,7 @@
 #include "core/presentation/export_api/lost_motion_report.h"
 #include "core/presentation/export_api/states_json.h"
 #include "core/presentation/export_api/vibration_report.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/named_results.h"
 #include "core/theory/matroid/input_sets.h"
 
 namespace geargraph::python {
@@ -88,51 +88,60 @@ RawMatrix headed(const Table& table) {
   return raw;
 }
 
+const NamedResult& resultOfName(const std::string& name) {
+  const NamedResult* result = resultNamed(name);
+  if (result == nullptr) throw py::value_error("There is no result \"" + name + "\".");
+  return *result;
+}
+
+/// By result of the catalogue: its name, and whether it is a matrix of the digraph, a quantity or a table.
+py::list rowsOfResults() {
+  py::list list;
+  for (const NamedResult* result : namedResults()) {
+    const bool isOfLoads = result->of == ResultOf::loads || result->of == ResultOf::states;
+    const char* kind = result->of == ResultOf::graph ? "matrix" : isOfLoads ? "table" : "quantity";
+    list.append(py::make_tuple(result->name, kind));
+  }
+  return list;
+}
+
 py::object integerMatrix(const Snapshot& self, const std::string& name) {
-  for (const MatrixKind kind : allMatrixKinds()) {
-    if (matrixCommandName(kind) != name) continue;
-    const IntegerMatrixPtr& matrix = self.live()->matrix(kind);
-    if (!matrix) self.raiseUndefined("The matrix needs a spanning tree.");
-    RawMatrix raw = headed(*matrix);
-    std::vector<std::int8_t> values;
-    std::vector<MatrixEntry> entries;
-    for (int row = 0; row < matrix->rows(); ++row) {
-      matrix->rowEntries(row, entries);
-      for (const MatrixEntry& entry : entries) {
-        raw.rowOf.push_back(row);
-        raw.columnOf.push_back(entry.column);
-        values.push_back(static_cast<std::int8_t>(entry.value));
-      }
+  const NamedResult& result = resultOfName(name);
+  const ResultTablePtr table = exactTable(result, {self.live()});
+  if (!table) self.raiseUndefined("The matrix needs " + std::string(result.needs) + ".");
+  RawMatrix raw = headed(*table);
+  std::vector<std::int8_t> values;
+  std::vector<MatrixEntry> entries;
+  const IntegerMatrixPtr matrix = table->integers();
+  for (int row = 0; row < matrix->rows(); ++row) {
+    matrix->rowEntries(row, entries);
+    for (const MatrixEntry& entry : entries) {
+      raw.rowOf.push_back(row);
+      raw.columnOf.push_back(entry.column);
+      values.push_back(static_cast<std::int8_t>(entry.value));
     }
-    return py::make_tuple(matrixSymbol(kind), matrixTitle(kind), numberOf(matrixEquation(kind)), raw.rows,
-                          raw.columns, raw.partition, packed(raw.rowOf), packed(raw.columnOf),
-                          packed(values));
   }
-  throw py::value_error("There is no matrix \"" + name + "\".");
+  return py::make_tuple(result.symbol, result.title, numberOf(result.equation(table->form())), raw.rows,
+                        raw.columns, raw.partition, packed(raw.rowOf), packed(raw.columnOf), packed(values));
 }
 
-QuantityKind quantityNamed(const std::string& name) {
-  for (const QuantityKind kind : allQuantityKinds()) {
-    if (quantityCommandName(kind) == name) return kind;
-  }
-  throw py::value_error("There is no quantity \"" + name + "\".");
-}
-
-/// None where the quantity does not have the form.
+/// None where the quantity does not have the form. Whole numbers are decimals, too.
 py::object quantity(Snapshot& self, const std::string& name, const std::string& formName) {
-  const QuantityKind kind = quantityNamed(name);
-  const EntryForm form = formName == "decimals"    ? EntryForm::decimals
-                         : formName == "fractions" ? EntryForm::fractions
-                                                   : EntryForm::symbols;
-  if (formsOf(*self.live(), kind).empty()) self.raiseUndefined("A mesh has no geometry.");
-  const bool isSolved = kind == QuantityKind::solution && form != EntryForm::decimals;
-  const QuantityTablePtr table = quantityTable(isSolved ? self.solved() : self.live(), kind, form);
+  const NamedResult& result = resultOfName(name);
+  EntryForm form = formName == "decimals"    ? EntryForm::decimals
+                   : formName == "fractions" ? EntryForm::fractions
+                                             : EntryForm::symbols;
+  if (result.forms({self.live()}).empty())
+    self.raiseUndefined(result.isWhole ? "A mesh has no carrier." : "A mesh has no geometry.");
+  if (result.isWhole && form == EntryForm::decimals) form = EntryForm::fractions;
+  const bool isSolved = result.of == ResultOf::solution && form != EntryForm::decimals;
+  const ResultTablePtr table = resultTable(result, {isSolved ? self.solved() : self.live()}, form);
   if (!table) return py::none();
   RawMatrix raw = headed(*table);
   std::vector<double> values;
   py::list texts, latex;
   for (int row = 0; row < table->rows(); ++row) {
-    for (const QuantityEntry& entry : table->row(row)) {
+    for (const ResultEntry& entry : table->row(row)) {
       raw.rowOf.push_back(row);
       raw.columnOf.push_back(entry.column);
       values.push_back(entry.value);
@@ -140,9 +149,8 @@ py::object quantity(Snapshot& self, const std::string& name, const std::string& 
       latex.append(entry.latex);
     }
   }
-  return py::make_tuple(quantitySymbol(kind), quantityTitle(kind), numberOf(quantityEquation(kind, form)),
-                        raw.rows, raw.columns, raw.partition, packed(raw.rowOf), packed(raw.columnOf),
-                        packed(values), texts, latex);
+  return py::make_tuple(result.symbol, result.title, numberOf(result.equation(form)), raw.rows, raw.columns,
+                        raw.partition, packed(raw.rowOf), packed(raw.columnOf), packed(values), texts, latex);
 }
 
 py::tuple inputSets(const Snapshot& self, std::size_t limit) {
@@ -234,6 +242,7 @@ std::string backlashRows(const Snapshot& self) {
 }  // namespace
 
 void addAnalysis(py::module_& module) {
+  module.def("results", rowsOfResults);
   py::class_<Snapshot, std::shared_ptr<Snapshot>>(module, "Snapshot")
       .def(py::init<const Document&, bool>())
       .def("rank", [](const Snapshot& self) { return self.matroid(false).rank; })
@@ -246,7 +255,7 @@ void addAnalysis(py::module_& module) {
            [](Snapshot& self) {
              const SnapshotPtr snapshot = self.solved();
              TextSink sink;
-             writeAnalysisJson(sink, snapshot.get(), snapshot->diagnostics, {.matrices = false});
+             writeAnalysisJson(sink, snapshot, snapshot->diagnostics, {.matrices = false});
              return sink.take();
            })
       .def("states_json", [](Snapshot& self) { return statesJson(self.shifted().get()); })

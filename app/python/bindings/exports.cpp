@@ -7,11 +7,13 @@
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
 #include "core/machine/teeth/wheel_kind.h"
-#include "core/presentation/export_api/csv_tables.h"
 #include "core/presentation/export_api/graph_files.h"
 #include "core/presentation/export_api/report_lists.h"
 #include "core/presentation/export_api/train_export.h"
 #include "core/presentation/page_layout/report_pdf.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
+#include "core/teaching/derivation/solved_statics.h"
 
 namespace geargraph::python {
 namespace {
@@ -167,12 +169,14 @@ py::dict csv(Snapshot& self, const std::optional<std::string>& name, char separa
   const SnapshotPtr snapshot = self.solved();
   std::vector<std::pair<std::string, std::string>> texts;
   runInterruptible([&](const std::stop_token& stop) {
-    for (const CsvTable& table : csvTables(snapshot, solvedStatics(snapshot, {}, true, stop))) {
-      if (!table.write || (name && table.name != *name)) continue;
+    const ResultSource source{snapshot, solvedStatics(snapshot, {}, true, stop)};
+    for (const NamedResult* result : namedResults()) {
+      const ResultTablePtr table = name && result->name != *name ? nullptr : exactTable(*result, source);
+      if (!table) continue;
       TextSink text;
       StoppableSink sink(text, stop);
-      table.write(sink, {separator, decimal, labels, false});
-      texts.emplace_back(table.name, text.take());
+      writeResultCsv(sink, *table, {separator, decimal, labels, false});
+      texts.emplace_back(result->name, text.take());
     }
   });
   py::dict tables;

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from ._mechanism import Mechanism
 
 
-_MATRICES = ("incidence", "reduced-incidence", "path", "spanning-tree", "cycle-basis", "cutset")
+_MATRICES = tuple(name for name, kind in _geargraph.results() if kind == "matrix")
+_QUANTITIES = tuple(name for name, kind in _geargraph.results() if kind == "quantity")
 
 
 class Pose:
@@ -216,7 +217,28 @@ class Analysis(Exports):
             dict(zip(places, entries)), dict(zip(places, latex)),
         )
 
-    def _quantity(self, name: str) -> Quantity:
+    def quantity(self, name: str) -> Quantity:
+        """Give a result of numbers, formulas or both methods.
+
+        Parameters
+        ----------
+        name : {"screw", "p", "solution", "tt-circuits", "tt-cutsets", "cutset-equations"}
+            As the command line names it. ``screws``, ``coefficients`` and ``solution`` are the first three.
+
+        Returns
+        -------
+        Quantity
+            In the forms that it has.
+
+        Raises
+        ------
+        Error
+            The errors of the mechanism; "undefined" where it leaves nothing to solve.
+        ValueError
+            If there is no such result; the names are listed.
+        """
+        if name not in _QUANTITIES:
+            raise ValueError(f"There is no quantity {name!r}; these are {', '.join(_QUANTITIES)}.")
         if name not in self._kept:
             decimals = self._form(name, "decimals")
             fractions = self._form(name, "fractions")
@@ -228,13 +250,13 @@ class Analysis(Exports):
     @property
     def screws(self) -> Quantity:
         """Screws û = (L M N; P Q R) of the joints of each cycle about its pitch point, Eqs. (6)-(12)."""
-        return self._quantity("screw")
+        return self.quantity("screw")
 
     @property
     def coefficients(self) -> Quantity:
         """Coefficient matrix P, Eqs. (18), (19), (24): c × t, lengths in the document's unit; as
         symbols the rows divided by the radius of the head's gear."""
-        return self._quantity("p")
+        return self.quantity("p")
 
     @property
     def solution(self) -> Quantity:
@@ -246,7 +268,7 @@ class Analysis(Exports):
             The errors of the mechanism, "invalid-inputs" among them.
         """
         self._snapshot.rates()  # raises where there is no solution
-        return self._quantity("solution")
+        return self.quantity("solution")
 
     # --- motion ----------------------------------------------------------------------------------
 

@@ -6,6 +6,8 @@
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/export_api/diagnostics_json.h"
 #include "core/presentation/export_api/kinematics_json.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 
 namespace geargraph {
 namespace {
@@ -15,7 +17,7 @@ using Layout = JsonWriter::Layout;
 /// Writes the parts of one analysis, a function a part.
 class AnalysisJson {
  public:
-  AnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const AnalysisJsonOptions& options)
+  AnalysisJson(ByteSink& sink, const SnapshotPtr& snapshot, const AnalysisJsonOptions& options)
       : m_json(sink), m_snapshot(snapshot), m_options(options) {}
 
   void write(const Diagnostics& diagnostics) {
@@ -120,78 +122,24 @@ class AnalysisJson {
 
   void matrices() {
     m_json.beginObject();
-    for (const MatrixKind kind : allMatrixKinds()) {
-      m_json.key(matrixJsonName(kind));
-      const IntegerMatrixPtr& matrix = m_snapshot->matrix(kind);
-      if (matrix) {
-        integerMatrix(*matrix);
+    const ResultSource source{m_snapshot};
+    for (const NamedResult* result : namedResults()) {
+      if (result->jsonName.empty()) continue;
+      m_json.key(result->jsonName);
+      ResultTablePtr table = resultTable(*result, source, EntryForm::decimals);
+      if (!table) table = exactTable(*result, source);
+      if (table) {
+        writeResultJson(m_json, *table, isTooLarge(table->rows(), table->columns()));
       } else {
         m_json.null();
       }
     }
-    m_json.key("p");
-    writeCoefficientMatrix(m_json, *m_snapshot, isTooLarge(m_snapshot->graph->c(), m_snapshot->graph->t()));
     m_json.endObject();
   }
 
   /// Too large to be written with all its zeros.
   [[nodiscard]] bool isTooLarge(int rows, int columns) const {
     return !m_options.dense && static_cast<long long>(rows) * columns > kMaxEntries;
-  }
-
-  void integerMatrix(const IntegerMatrix& matrix) {
-    m_json.beginObject();
-    m_json.key("rows");
-    m_json.beginArray(Layout::row);
-    for (int row = 0; row < matrix.rows(); ++row) number(matrix.rowHeading(row).label);
-    m_json.endArray();
-    m_json.key("columns");
-    m_json.beginArray(Layout::row);
-    for (int column = 0; column < matrix.columns(); ++column) number(matrix.columnHeading(column).label);
-    m_json.endArray();
-    if (isTooLarge(matrix.rows(), matrix.columns())) {
-      triplets(matrix);
-    } else {
-      entries(matrix);
-    }
-    m_json.endObject();
-  }
-
-  void entries(const IntegerMatrix& matrix) {
-    m_json.key("entries");
-    m_json.beginArray();
-    for (int row = 0; row < matrix.rows(); ++row) {
-      matrix.rowEntries(row, m_entries);
-      m_json.beginArray(Layout::row);
-      auto next = m_entries.begin();
-      for (int column = 0; column < matrix.columns(); ++column) {
-        const bool isHere = next != m_entries.end() && next->column == column;
-        number(isHere ? (next++)->value : 0);
-      }
-      m_json.endArray();
-    }
-    m_json.endArray();
-  }
-
-  void triplets(const IntegerMatrix& matrix) {
-    std::vector<int> labelOfColumn;
-    labelOfColumn.reserve(static_cast<std::size_t>(matrix.columns()));
-    for (int column = 0; column < matrix.columns(); ++column)
-      labelOfColumn.push_back(matrix.columnHeading(column).label);
-    m_json.key("triplets");
-    m_json.beginArray();
-    for (int row = 0; row < matrix.rows(); ++row) {
-      const int label = matrix.rowHeading(row).label;
-      matrix.rowEntries(row, m_entries);
-      for (const MatrixEntry& entry : m_entries) {
-        m_json.beginArray(Layout::row);
-        number(label);
-        number(labelOfColumn[static_cast<std::size_t>(entry.column)]);
-        number(entry.value);
-        m_json.endArray();
-      }
-    }
-    m_json.endArray();
   }
 
   /// The fundamental cycles: the rows of T, in the order of its columns.
@@ -218,14 +166,14 @@ class AnalysisJson {
   void number(int value) { m_json.number(static_cast<std::int64_t>(value)); }
 
   JsonWriter m_json;
-  const AnalysisSnapshot* m_snapshot;
+  SnapshotPtr m_snapshot;
   AnalysisJsonOptions m_options;
   std::vector<MatrixEntry> m_entries;  ///< of the row at hand
 };
 
 }  // namespace
 
-void writeAnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const Diagnostics& diagnostics,
+void writeAnalysisJson(ByteSink& sink, const SnapshotPtr& snapshot, const Diagnostics& diagnostics,
                        const AnalysisJsonOptions& options) {
   AnalysisJson(sink, snapshot, options).write(diagnostics);
 }

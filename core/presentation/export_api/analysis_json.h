@@ -15,7 +15,7 @@ struct AnalysisJsonOptions {
 
 /// The analysis as JSON (`analyze --json`). Undefined parts are null; without a snapshot (the file could not
 /// be read) all but the diagnostics.
-void writeAnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const Diagnostics& diagnostics,
+void writeAnalysisJson(ByteSink& sink, const SnapshotPtr& snapshot, const Diagnostics& diagnostics,
                        const AnalysisJsonOptions& options = {});
 
 }  // namespace geargraph

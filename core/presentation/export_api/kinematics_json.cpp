@@ -102,47 +102,6 @@ void writeTransferVertices(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   json.endArray();
 }
 
-void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, bool asTriplets) {
-  if (!snapshot.kinematics || !snapshot.kinematics->model) return json.null();
-  const Digraph& graph = *snapshot.graph;
-  const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
-                                 snapshot.kinematics->placement());
-  const auto meshLabel = [&](MeshOrdinal mesh) { return graph.edgeLabel(graph.t() + mesh); };
-  json.beginObject();
-  json.key("rows");
-  json.beginArray(Layout::row);
-  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) writeNumber(json, meshLabel(mesh));
-  json.endArray();
-  json.key("columns");
-  json.beginArray(Layout::row);
-  for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint) writeNumber(json, graph.edgeLabel(joint));
-  json.endArray();
-  json.key(asTriplets ? "triplets" : "entries");
-  json.beginArray();
-  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) {
-    const auto entries = matrix.row(mesh);
-    if (asTriplets) {
-      for (const auto& entry : entries) {
-        json.beginArray(Layout::row);
-        writeNumber(json, meshLabel(mesh));
-        writeNumber(json, graph.edgeLabel(entry.joint));
-        json.number(entry.length);
-        json.endArray();
-      }
-      continue;
-    }
-    json.beginArray(Layout::row);
-    auto next = entries.begin();
-    for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint) {
-      const bool isHere = next != entries.end() && next->joint == joint;
-      json.number(isHere ? (next++)->length : 0);
-    }
-    json.endArray();
-  }
-  json.endArray();
-  json.endObject();
-}
-
 void writeCouplingRows(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   if (!snapshot.kinematics || !snapshot.kinematics->model) return json.null();
   const auto& held = snapshot.kinematics->model->held();

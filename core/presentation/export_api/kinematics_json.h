@@ -10,8 +10,6 @@ namespace geargraph {
 
 /// [{"mesh", "carrier", "path", "axes", "sign"}]; carrier and sign are null if a mesh has none.
 void writeTransferVertices(JsonWriter& json, const AnalysisSnapshot& snapshot);
-/// P of Eqs. (18), (19) in the document's unit of length; triplets where `asTriplets`.
-void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, bool asTriplets);
 /// The rows of engaged couplings below P, over the joints.
 void writeCouplingRows(JsonWriter& json, const AnalysisSnapshot& snapshot);
 void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot);

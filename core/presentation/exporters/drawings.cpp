@@ -4,11 +4,11 @@
 
 #include "core/presentation/cairo_output/picture.h"
 #include "core/presentation/export_api/named_drawings.h"
-#include "core/presentation/export_api/solved_statics.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/exporters/view3d_options.h"
+#include "core/teaching/derivation/solved_statics.h"
 
 namespace geargraph {
 namespace {

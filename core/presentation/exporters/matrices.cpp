@@ -7,9 +7,11 @@
 
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/stoppable_sink.h"
-#include "core/presentation/export_api/csv_tables.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
+#include "core/teaching/derivation/solved_statics.h"
 
 namespace geargraph {
 namespace {
@@ -56,46 +58,33 @@ std::variant<CsvOptions, UsageError> csvOptions(const OptionValues& given) {
 }
 
 /// Writes one table to a file, or to standard output for "-".
-std::optional<ExportError> writeTable(const fs::path& path, const CsvTable& table, const CsvOptions& options,
-                                      const std::stop_token& stop) {
+std::optional<ExportError> writeTable(const fs::path& path, const ResultTable& table,
+                                      const CsvOptions& options, const std::stop_token& stop) {
   if (path == "-") {  // what has begun is written to its end
     StandardOutput out;
-    table.write(out, options);
+    writeResultCsv(out, table, options);
     return out.failed() ? std::optional(streamFailure()) : std::nullopt;
   }
   AtomicFile file(path);
   StoppableSink sink(file, stop);
-  table.write(sink, options);
+  writeResultCsv(sink, table, options);
   if (stop.stop_requested()) return outOfTime("\"" + path.string() + '"');
   const auto error = file.commit();
   return error ? std::optional(ExportError{ExportError::Kind::file, error->message}) : std::nullopt;
 }
 
-std::string tableNames(const std::vector<CsvTable>& tables) {
-  std::string text;
-  for (const CsvTable& table : tables) text += (text.empty() ? "" : ", ") + std::string(table.name);
-  return text;
-}
-
-std::optional<ExportError> writeOneTable(const std::vector<CsvTable>& tables, const std::string& name,
+std::optional<ExportError> writeOneTable(const NamedResult& result, const ResultSource& source,
                                          const ExportTarget& target, const CsvOptions& options, bool isFlawed,
                                          const std::stop_token& stop) {
-  const auto table =
-      std::find_if(tables.begin(), tables.end(), [&](const CsvTable& t) { return t.name == name; });
-  if (table == tables.end()) {
-    return ExportError{ExportError::Kind::usage,
-                       translated("There is no matrix \"%1\"; there are %2.", {name, tableNames(tables)})};
-  }
-  if (!table->write) {
-    return ExportError{
-        isFlawed ? ExportError::Kind::mechanism : ExportError::Kind::limit,
-        translated("The matrix \"%1\" needs %2; nothing was written.", {name, translated(table->needs)}),
-        kNoTable.code};
-  }
-  return writeTable(target.path, *table, options, stop);
+  const ResultTablePtr table = exactTable(result, source);
+  if (table) return writeTable(target.path, *table, options, stop);
+  return ExportError{
+      isFlawed ? ExportError::Kind::mechanism : ExportError::Kind::limit,
+      translated("The matrix \"%1\" needs %2; nothing was written.", {result.name, translated(result.needs)}),
+      kNoTable.code};
 }
 
-std::optional<ExportError> writeAllTables(const std::vector<CsvTable>& tables, const ExportContext& context,
+std::optional<ExportError> writeAllTables(const ResultSource& source, const ExportContext& context,
                                           const ExportTarget& target, const CsvOptions& options,
                                           const std::stop_token& stop) {
   const fs::path& folder = target.path;
@@ -106,23 +95,24 @@ std::optional<ExportError> writeAllTables(const std::vector<CsvTable>& tables, c
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
     return fileError(translated("The folder \"%1\" could not be made.", {folder.string()}));
-  std::vector<std::pair<fs::path, const CsvTable*>> files;
-  for (const CsvTable& table : tables) {
-    if (!table.write && table.ofLoads) continue;
-    if (!table.write) {
-      context.tell(translated("Left out: %1, which needs %2.", {table.name, translated(table.needs)}));
+  std::vector<std::pair<fs::path, const NamedResult*>> files;
+  for (const NamedResult* result : namedResults()) {
+    const bool isOfLoads = result->of == ResultOf::loads || result->of == ResultOf::states;
+    if (result->forms(source).empty()) {
+      if (!isOfLoads)
+        context.tell(translated("Left out: %1, which needs %2.", {result->name, translated(result->needs)}));
       continue;
     }
-    files.emplace_back(folder / (std::string(table.name) + ".csv"), &table);
+    files.emplace_back(folder / (std::string(result->name) + ".csv"), result);
     if (fs::exists(files.back().first) && !target.mayOverwrite) {
       return fileError(translated("\"%1\" is there already; nothing was written (--force overwrites).",
                                   {files.back().first.string()}));
     }
   }
   std::vector<std::unique_ptr<AtomicFile>> written;  // they take their names together
-  for (const auto& [path, table] : files) {
+  for (const auto& [path, result] : files) {
     StoppableSink sink(*written.emplace_back(std::make_unique<AtomicFile>(path)), stop);
-    table->write(sink, options);
+    writeResultCsv(sink, *exactTable(*result, source), options);
     if (stop.stop_requested()) return outOfTime("\"" + path.string() + '"');
   }
   for (const auto& file : written) {
@@ -145,19 +135,26 @@ ExportResult writeMatrices(ExportContext& context, const OptionValues& given, co
   auto snapshot = std::get<SnapshotPtr>(std::move(analyzed));
   const bool isFlawed = hasErrors(snapshot->diagnostics);
   const std::string name = given.value("--matrix").value_or("");
-  if (isAll || name == "solution") {
+  const NamedResult* const result = resultNamed(name);
+  if (!isAll && result == nullptr) {
+    std::string names;
+    for (const std::string& each : resultNames()) names += (names.empty() ? "" : ", ") + each;
+    return ExportError{ExportError::Kind::usage,
+                       translated("There is no matrix \"%1\"; there are %2.", {name, names})};
+  }
+  const auto isAsked = [&](ResultOf of) { return isAll || result->of == of; };
+  if (isAsked(ResultOf::solution)) {
     snapshot = analyzeFully(snapshot, SolveOptions{false}, stop);
     if (!snapshot) return outOfTime(translated("the solution"));
   }
-  SolvedStaticsPtr statics;
-  if (isAll || isOfStatics(name)) {
-    statics = solvedStatics(snapshot, given.value("--state"), isAll || isOfAllStates(name), stop);
-    if (!statics) return outOfTime(translated("the torques"));
+  ResultSource source{snapshot};
+  if (isAsked(ResultOf::loads) || isAsked(ResultOf::states)) {
+    source.statics = solvedStatics(snapshot, given.value("--state"), isAsked(ResultOf::states), stop);
+    if (!source.statics) return outOfTime(translated("the torques"));
   }
-  const std::vector<CsvTable> tables = csvTables(snapshot, statics);
   const auto& csv = std::get<CsvOptions>(options);
-  auto error = isAll ? writeAllTables(tables, context, target, csv, stop)
-                     : writeOneTable(tables, name, target, csv, isFlawed, stop);
+  auto error = isAll ? writeAllTables(source, context, target, csv, stop)
+                     : writeOneTable(*result, source, target, csv, isFlawed, stop);
   if (error) return *std::move(error);
   return ExportOutcome{isFlawed};
 }
@@ -165,7 +162,7 @@ ExportResult writeMatrices(ExportContext& context, const OptionValues& given, co
 constexpr std::array kAllTablesOptions = {
     flagOption("--no-labels"), choiceOption("--separator", namesOfPairs<kSeparators>, "comma"),
     choiceOption("--decimal", namesOfPairs<kDecimals>, "point"), flagOption("--bom")};
-constexpr std::array kOneTableOptions = {choiceOption("--matrix", csvTableNames, {}, true),
+constexpr std::array kOneTableOptions = {choiceOption("--matrix", resultNames, {}, true),
                                          kAllTablesOptions[0], kAllTablesOptions[1], kAllTablesOptions[2],
                                          kAllTablesOptions[3]};
 constexpr std::array kAllTablesImplied = {std::pair<std::string_view, std::string_view>{"--all", ""}};

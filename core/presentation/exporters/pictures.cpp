@@ -5,7 +5,6 @@
 
 #include "core/foundations/base/text_lists.h"
 #include "core/presentation/cairo_output/picture.h"
-#include "core/presentation/export_api/solved_statics.h"
 #include "core/presentation/exporters/export_context.h"
 #include "core/presentation/exporters/export_families.h"
 #include "core/presentation/exporters/view3d_options.h"
@@ -15,6 +14,7 @@
 #include "core/presentation/mechanism_scene/train_forces.h"
 #include "core/presentation/mechanism_scene/train_power.h"
 #include "core/presentation/meshfile/mesh_writer.h"
+#include "core/teaching/derivation/solved_statics.h"
 
 namespace geargraph {
 namespace {

@@ -6,7 +6,8 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/manual/manual.h"
 #include "core/presentation/manual/markdown.h"
-#include "core/teaching/derivation/matrix_text.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 #include "core/teaching/lessons/course.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -15,12 +16,11 @@ namespace {
 
 constexpr const char* kShownExample = "planetary-ring-held";  // of matrices: small enough for a line
 
-std::optional<MatrixKind> matrixOf(Term term) {
-  for (const MatrixKind kind : {MatrixKind::incidence, MatrixKind::reducedIncidence, MatrixKind::path,
-                                MatrixKind::spanningTree, MatrixKind::cycleBasis, MatrixKind::cutset}) {
-    if (termOf(kind) == term) return kind;
-  }
-  return std::nullopt;
+/// The matrix of the digraph that the term names, or null.
+const NamedResult* matrixOf(Term term) {
+  for (const NamedResult* result : namedResults())
+    if (result->of == ResultOf::graph && result->term == term) return result;
+  return nullptr;
 }
 
 /// The numbered equations of [AU] that the glossary names. Those that are matrices of the paper's robot are
@@ -61,9 +61,9 @@ std::string equationTex(PaperEquation equation) {
   }
 }
 
-std::string matrixParagraph(MatrixKind kind) {
+std::string matrixParagraph(const NamedResult& matrix) {
   const SnapshotPtr snapshot = analyzeLive(*bundledExample(kShownExample));
-  std::string tex = matrixLatex(*snapshot->matrix(kind));
+  std::string tex = resultText(*exactTable(matrix, {snapshot}), TableFormat::latex);
   std::replace(tex.begin(), tex.end(), '\n', ' ');
   return "For the planetary train with sun 1, carrier 2 and planet 3:\n\n$$" + tex + "$$\n\n";
 }
@@ -77,7 +77,7 @@ std::string termMarkdown(const Definition& definition) {
   if (const std::string formula = formulaOfTerm(definition.term); !formula.empty()) {
     text += "$$" + formula + "$$\n\nEquation " + cited(definition.equation) + " of the paper.\n\n";
   }
-  if (const auto kind = matrixOf(definition.term)) text += matrixParagraph(*kind);
+  if (const NamedResult* matrix = matrixOf(definition.term)) text += matrixParagraph(*matrix);
   const Lesson* lesson = lessonAbout(definition.term);
   if (lesson == nullptr) return text + "No lesson is about it.\n\n";
   return text + "Lesson: [" + escapedMarkdown(lesson->title) + "](lesson:" + lesson->id + ")\n\n";

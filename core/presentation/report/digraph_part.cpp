@@ -3,7 +3,7 @@
 #include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
-#include "core/teaching/derivation/matrix_text.h"
+#include "core/teaching/derivation/result_text.h"
 
 namespace geargraph {
 namespace {
@@ -15,8 +15,8 @@ std::string countedElements(int count, const char* one, const char* many) {
 
 class DigraphPart : private ReportPart {
  public:
-  DigraphPart(Report& report, const AnalysisSnapshot& snapshot)
-      : ReportPart(report), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism) {
+  DigraphPart(Report& report, const SnapshotPtr& snapshot)
+      : ReportPart(report), m_snapshot(snapshot), m_mechanism(*snapshot->mechanism) {
     for (int i = 0; i <= m_mechanism.n(); ++i) {
       m_labels[m_mechanism.links[i].id] = std::to_string(m_mechanism.linkLabel(i));
     }
@@ -50,33 +50,16 @@ class DigraphPart : private ReportPart {
         "mesh a "
         "dashed one."));
     put(ReportFigure{ReportDrawing::digraph, translated("Digraph")});
-    matrix(
-        MatrixKind::incidence, "\\Gamma^0",
-        translated(
-            "In the incidence matrix an edge's column holds $-1$ in the row of the link that it leaves and "
-            "$1$ in "
-            "the row of the link that it reaches."));
-    matrix(MatrixKind::reducedIncidence, "\\Gamma = \\left[ G \\mid G^* \\right]",
-           translated("Without the row of the ground its rows are independent: $G$ for the turning joints, "
-                      "$G^*$ for the "
-                      "meshes."));
-    if (m_snapshot.tree == nullptr) {
-      return paragraph(translated(
-          "The turning joints are no spanning tree of this digraph, so there is nothing more to derive: see "
-          "the "
-          "findings above."));
+    for (const NamedResult* result : namedResults()) {
+      if (result->reportText.empty()) continue;
+      const ResultTablePtr table = exactTable(*result, {m_snapshot});
+      if (table == nullptr && m_snapshot->tree == nullptr) {
+        return paragraph(
+            translated("The turning joints are no spanning tree of this digraph, so there is nothing more to "
+                       "derive: see the findings above."));
+      }
+      if (table != nullptr) matrix(*table);
     }
-    matrix(
-        MatrixKind::path, "Z",
-        translated(
-            "The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its "
-            "path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it."));
-    matrix(MatrixKind::spanningTree, "T = G^{*T} Z^T",
-           translated("Each mesh closes a fundamental cycle with the joints between its two links. They "
-                      "follow from both "
-                      "matrices."));
-    matrix(MatrixKind::cycleBasis, "C = \\left[ T \\mid U \\right]",
-           translated("With the meshes themselves, each once, this is the cycle-basis matrix."));
   }
 
  private:
@@ -117,25 +100,25 @@ class DigraphPart : private ReportPart {
     if (!table.rows.empty()) put(std::move(table));
   }
 
-  void matrix(MatrixKind kind, const std::string& symbol, const std::string& text) {
-    const IntegerMatrixPtr& matrix = m_snapshot.matrix(kind);
-    if (matrix == nullptr || matrix->rows() == 0 || matrix->columns() == 0) return;
-    if (matrix->rows() > kMaxReportRows || matrix->columns() > kMaxReportColumns) {
-      return paragraph(text + ' ' +
-                       tooManyEntries(matrix->rows(), matrix->columns(), matrixCommandName(kind)));
-    }
+  void matrix(const ResultTable& table) {
+    if (table.rows() == 0 || table.columns() == 0) return;
+    const NamedResult& result = table.result();
+    const std::string text = translated(result.reportText);
+    if (table.rows() > kMaxReportRows || table.columns() > kMaxReportColumns)
+      return paragraph(text + ' ' + tooManyEntries(table.rows(), table.columns(), result.name));
     paragraph(text);
-    equation(symbol + " =\n" + matrixLatex(*matrix), matrixEquation(kind));
+    equation(std::string(result.reportFormula) + " =\n" + readableLatex(table),
+             result.equation(table.form()));
   }
 
-  const AnalysisSnapshot& m_snapshot;
+  const SnapshotPtr& m_snapshot;
   const Mechanism& m_mechanism;
   std::unordered_map<LinkId, std::string> m_labels;
 };
 
 }  // namespace
 
-void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot) {
+void addDigraphPart(Report& report, const SnapshotPtr& snapshot) {
   DigraphPart part(report, snapshot);
   part.addMechanism();
   part.addMatrices();

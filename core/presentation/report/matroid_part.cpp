@@ -4,6 +4,7 @@
 #include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
+#include "core/teaching/derivation/result_text.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
 namespace geargraph {
@@ -45,21 +46,23 @@ class MatroidPart : private ReportPart {
   }
 
   /// The best form that is there: fractions, else decimals.
-  [[nodiscard]] QuantityTablePtr numbers(QuantityKind kind) const {
-    QuantityTablePtr table = quantityTable(m_pointer, kind, EntryForm::fractions);
-    return table ? table : quantityTable(m_pointer, kind, EntryForm::decimals);
+  [[nodiscard]] ResultTablePtr numbers(std::string_view name) const {
+    return exactTable(*resultNamed(name), {m_pointer});
   }
-  static bool fits(const QuantityTable& table) {
+  [[nodiscard]] ResultTablePtr inRatios(std::string_view name) const {
+    return resultTable(*resultNamed(name), {m_pointer}, EntryForm::symbols);
+  }
+  static bool fits(const ResultTable& table) {
     return table.rows() > 0 && table.rows() <= kMaxReportRows && table.columns() > 0 &&
            table.columns() <= kMaxReportColumns;
   }
-  void addTable(const QuantityTablePtr& table, const std::string& before, const std::string& after,
+  void addTable(const ResultTablePtr& table, const std::string& before, const std::string& after,
                 PaperEquation number) {
     if (table == nullptr || table->rows() == 0) return;
     if (fits(*table)) {
       return equation(before + (after.empty() ? readableLatex(*table) : texMatrix(*table)) + after, number);
     }
-    paragraph(tooManyEntries(table->rows(), table->columns(), quantityCommandName(table->kind())));
+    paragraph(tooManyEntries(table->rows(), table->columns(), table->result().name));
   }
 
   void addScrews() {
@@ -77,7 +80,7 @@ class MatroidPart : private ReportPart {
         PaperEquation::screw);
     addDirections();
     addMoments();
-    const QuantityTablePtr screws = numbers(QuantityKind::screws);
+    const ResultTablePtr screws = numbers("screw");
     if (screws == nullptr || screws->rows() == 0) return;
     paragraph(translated("For the joints of each cycle, lengths in %1:", {m_snapshot.mechanism->unit}));
     addTable(screws, "", "", PaperEquation::none);
@@ -143,7 +146,7 @@ class MatroidPart : private ReportPart {
     equation("\\left[ P_{c,t} \\right] \\dot{\\theta}_t = 0_c", PaperEquation::meshEquations);
     equation("P_{c,t} = \\left[ T \\circ P_{c,t} \\right]", PaperEquation::coefficientMatrix);
     paragraph(translated("With lengths in %1,", {m_snapshot.mechanism->unit}));
-    addTable(numbers(QuantityKind::coefficients), "", " " + rateColumn(m_graph, allJoints()) + " = 0",
+    addTable(numbers("p"), "", " " + rateColumn(m_graph, allJoints()) + " = 0",
              PaperEquation::coefficientsInNumbers);
     addRatios();
   }
@@ -262,15 +265,15 @@ class MatroidPart : private ReportPart {
       paragraph(translated("With the inputs first, and in gear ratios, the equations are"));
       std::vector<int> joints = solution.inputs;
       joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
-      addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
-               " " + rateColumn(m_graph, joints) + " = 0", PaperEquation::equationsInRatios);
+      addTable(inRatios("p"), "", " " + rateColumn(m_graph, joints) + " = 0",
+               PaperEquation::equationsInRatios);
     }
     if (solution.inputs.empty()) {
       return paragraph(translated("there is nothing that turns: without a freedom all rates are $0$."));
     }
     const std::string left = rateColumn(m_graph, solution.outputs) + " =\n";
     const std::string right = " " + rateColumn(m_graph, solution.inputs);
-    if (const auto table = quantityTable(m_pointer, QuantityKind::solution, EntryForm::symbols)) {
+    if (const auto table = inRatios("solution")) {
       paragraph(translated("and their solution is"));
       addTable(table, left, right, PaperEquation::matroidSolution);
     } else if (symbols) {
@@ -278,7 +281,7 @@ class MatroidPart : private ReportPart {
     }
     if (isStopped()) return;
     paragraph(translated("With the teeth of this mechanism:"));
-    addTable(numbers(QuantityKind::solution), left, right, PaperEquation::none);
+    addTable(numbers("solution"), left, right, PaperEquation::none);
     addRates();
   }
 

@@ -30,7 +30,7 @@ Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop
   Report report;
   report.title = reportTitle(*snapshot->mechanism);
   addDiagnostics(report, *snapshot);
-  addDigraphPart(report, *snapshot);
+  addDigraphPart(report, snapshot);
   addMatroidPart(report, snapshot, stop);
   addTtGraphPart(report, *snapshot, stop);
   addComparisonPart(report, *snapshot, stop);

@@ -12,7 +12,7 @@ namespace geargraph {
 constexpr int kMaxListed = 100;
 
 /// The mechanism itself, its digraph and the matrices of whole numbers, Eqs. (1)-(5).
-void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot);
+void addDigraphPart(Report& report, const SnapshotPtr& snapshot);
 /// Screws, P and the solution, Eqs. (6)-(25).
 void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop);
 /// Carriers, terminal and f-circuit equations, the chain of substitutions, Eqs. (26)-(45).

@@ -85,11 +85,11 @@ std::string texMatrix(const std::vector<std::vector<std::string>>& rows, std::op
   return text + "\\end{array} \\right]";
 }
 
-std::string texMatrix(const QuantityTable& table) {
+std::string texMatrix(const ResultTable& table) {
   std::vector<std::vector<std::string>> rows;
   for (int row = 0; row < table.rows(); ++row) {
     rows.emplace_back(static_cast<std::size_t>(table.columns()), "0");
-    for (const QuantityEntry& entry : table.row(row)) {
+    for (const ResultEntry& entry : table.row(row)) {
       rows.back()[static_cast<std::size_t>(entry.column)] = readableLatex(entry);
     }
   }

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/presentation/report/report.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/named_results.h"
 
 namespace geargraph {
 
@@ -33,7 +33,7 @@ constexpr int kMaxReportRows = 80;
 [[nodiscard]] std::string texMatrix(const std::vector<std::vector<std::string>>& rows,
                                     std::optional<int> partition = std::nullopt);
 /// The entries of a table without its headings.
-[[nodiscard]] std::string texMatrix(const QuantityTable& table);
+[[nodiscard]] std::string texMatrix(const ResultTable& table);
 /// Lines aligned at their first "=".
 [[nodiscard]] std::string texLines(const std::vector<std::string>& lines);
 /// The sides of "= ... =", each on a line.

@@ -2,16 +2,16 @@
 #include <numeric>
 
 #include "core/foundations/base/translation.h"
-#include "core/teaching/derivation/quantity_tables.h"
+#include "core/teaching/derivation/result_tables.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
 namespace geargraph {
 namespace {
 
-class CoefficientTable final : public QuantityTable {
+class CoefficientTable final : public ResultTable {
  public:
-  CoefficientTable(SnapshotPtr snapshot, EntryForm form)
-      : QuantityTable(QuantityKind::coefficients, form),
+  CoefficientTable(const NamedResult& result, SnapshotPtr snapshot, EntryForm form)
+      : ResultTable(result, form),
         m_snapshot(std::move(snapshot)),
         m_matrix(*m_snapshot->mechanism, *m_snapshot->kinematics->model,
                  m_snapshot->kinematics->placement()) {
@@ -42,14 +42,24 @@ class CoefficientTable final : public QuantityTable {
     return geargraph::elementsOfRow(MatrixKind::spanningTree, graph(), m_snapshot->tree.get(), row);
   }
 
-  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
-    std::vector<QuantityEntry> entries;
+  [[nodiscard]] std::vector<ResultEntry> row(int row) const override {
+    std::vector<ResultEntry> entries;
     for (const CoefficientMatrix::Entry& entry : m_matrix.row(row)) {
       entries.push_back(shownEntry(row, entry));
     }
     std::sort(entries.begin(), entries.end(),
-              [](const QuantityEntry& a, const QuantityEntry& b) { return a.column < b.column; });
+              [](const ResultEntry& a, const ResultEntry& b) { return a.column < b.column; });
     return entries;
+  }
+
+  [[nodiscard]] std::vector<ResultValue> values(int row) const override {
+    if (form() != EntryForm::decimals) return ResultTable::values(row);
+    std::vector<ResultValue> values;
+    for (const CoefficientMatrix::Entry& entry : m_matrix.row(row))
+      values.push_back({m_columns[entry.joint], entry.length});
+    std::sort(values.begin(), values.end(),
+              [](const ResultValue& a, const ResultValue& b) { return a.column < b.column; });
+    return values;
   }
 
   [[nodiscard]] CellExplanation explanation(int row, int column) const override {
@@ -60,7 +70,7 @@ class CoefficientTable final : public QuantityTable {
     const std::string equation = ' ' + translated("Eq. (%1)", {form() == EntryForm::symbols ? "24" : "18"});
     for (const CoefficientMatrix::Entry& entry : m_matrix.row(row)) {
       if (entry.joint != joint) continue;
-      const QuantityEntry shown = shownEntry(row, entry);
+      const ResultEntry shown = shownEntry(row, entry);
       CellExplanation cell{cycle + ", " + jointName + ": " + shown.text, {}};
       if (form() == EntryForm::symbols) {
         cell.text = entry.tail
@@ -106,7 +116,7 @@ class CoefficientTable final : public QuantityTable {
     m_inputs = static_cast<int>(matroid->choice.joints.size());
   }
 
-  [[nodiscard]] QuantityEntry shownEntry(MeshOrdinal mesh, const CoefficientMatrix::Entry& entry) const {
+  [[nodiscard]] ResultEntry shownEntry(MeshOrdinal mesh, const CoefficientMatrix::Entry& entry) const {
     const int column = m_columns[entry.joint];
     const std::string minus = entry.sign < 0 ? "-" : "";
     if (form() == EntryForm::symbols) {
@@ -130,8 +140,8 @@ class CoefficientTable final : public QuantityTable {
 
 }  // namespace
 
-QuantityTablePtr coefficientTable(SnapshotPtr snapshot, EntryForm form) {
-  return std::make_shared<const CoefficientTable>(std::move(snapshot), form);
+ResultTablePtr coefficientTable(const NamedResult& result, SnapshotPtr snapshot, EntryForm form) {
+  return std::make_shared<const CoefficientTable>(result, std::move(snapshot), form);
 }
 
 }  // namespace geargraph

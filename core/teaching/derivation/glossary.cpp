@@ -2,7 +2,6 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/translation.h"
-#include "core/teaching/derivation/quantity_table.h"
 
 namespace geargraph {
 
@@ -184,40 +183,6 @@ const Definition& definitionOf(Term term) {
   const Definition& definition = glossary().at(static_cast<std::size_t>(term));
   GEARGRAPH_REQUIRE(definition.term == term);
   return definition;
-}
-
-Term termOf(MatrixKind kind) {
-  switch (kind) {
-    case MatrixKind::incidence:
-      return Term::incidenceMatrix;
-    case MatrixKind::reducedIncidence:
-      return Term::reducedIncidenceMatrix;
-    case MatrixKind::path:
-      return Term::pathMatrix;
-    case MatrixKind::spanningTree:
-      return Term::spanningTreeMatrix;
-    case MatrixKind::cycleBasis:
-      return Term::cycleBasisMatrix;
-    case MatrixKind::cutset:
-      return Term::cutsetMatrix;
-  }
-  GEARGRAPH_REQUIRE(false);
-}
-
-Term termOf(QuantityKind kind) {
-  switch (kind) {
-    case QuantityKind::screws:
-      return Term::screw;
-    case QuantityKind::coefficients:
-      return Term::coefficientMatrix;
-    case QuantityKind::solution:
-      return Term::solution;
-    case QuantityKind::ttCircuits:
-      return Term::ttCircuitMatrix;
-    case QuantityKind::ttCutsets:
-      return Term::ttCutsetMatrix;
-  }
-  GEARGRAPH_REQUIRE(false);
 }
 
 }  // namespace geargraph

@@ -3,12 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/graph/paper_equation.h"
 
 namespace geargraph {
-
-enum class QuantityKind;
 
 /// The terms of the field that the program shows.
 enum class Term {
@@ -69,7 +66,5 @@ struct Definition {
 /// Term.
 [[nodiscard]] const std::vector<Definition>& glossary();
 [[nodiscard]] const Definition& definitionOf(Term term);
-[[nodiscard]] Term termOf(MatrixKind kind);
-[[nodiscard]] Term termOf(QuantityKind kind);
 
 }  // namespace geargraph

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/foundations/base/translation.h"
-#include "core/teaching/derivation/quantity_tables.h"
+#include "core/teaching/derivation/result_tables.h"
 #include "core/theory/matroid/screw.h"
 
 namespace geargraph {
@@ -17,10 +17,10 @@ std::array<Scalar, 6> componentsOf(const Screw<Scalar>& screw) {
   return {u[0], u[1], u[2], r[0], r[1], r[2]};
 }
 
-class ScrewTable final : public QuantityTable {
+class ScrewTable final : public ResultTable {
  public:
-  ScrewTable(SnapshotPtr snapshot, EntryForm form)
-      : QuantityTable(QuantityKind::screws, form), m_snapshot(std::move(snapshot)) {
+  ScrewTable(const NamedResult& result, SnapshotPtr snapshot, EntryForm form)
+      : ResultTable(result, form), m_snapshot(std::move(snapshot)) {
     const IntegerMatrix& cycles = *m_snapshot->matrix(MatrixKind::spanningTree);
     std::vector<MatrixEntry> entries;
     for (MeshOrdinal mesh = 0; mesh < cycles.rows(); ++mesh) {
@@ -47,11 +47,11 @@ class ScrewTable final : public QuantityTable {
     return {graph.edgeId(at(row).joint), graph.edgeId(graph.t() + at(row).mesh)};
   }
 
-  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
+  [[nodiscard]] std::vector<ResultEntry> row(int row) const override {
     const std::array<double, 6> values = componentsOf(screwOf(at(row)));
     std::optional<std::array<Rational, 6>> exact;
     if (const auto screw = exactScrewOf(at(row))) exact = componentsOf(*screw);
-    std::vector<QuantityEntry> entries;
+    std::vector<ResultEntry> entries;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const int column = static_cast<int>(i);
       if (exact ? (*exact)[i].isZero() : isRounding(values, i)) continue;
@@ -128,8 +128,8 @@ class ScrewTable final : public QuantityTable {
 
 }  // namespace
 
-QuantityTablePtr screwTable(SnapshotPtr snapshot, EntryForm form) {
-  return std::make_shared<const ScrewTable>(std::move(snapshot), form);
+ResultTablePtr screwTable(const NamedResult& result, SnapshotPtr snapshot, EntryForm form) {
+  return std::make_shared<const ScrewTable>(result, std::move(snapshot), form);
 }
 
 }  // namespace geargraph

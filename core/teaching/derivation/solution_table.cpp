@@ -1,13 +1,13 @@
 #include "core/foundations/base/translation.h"
-#include "core/teaching/derivation/quantity_tables.h"
+#include "core/teaching/derivation/result_tables.h"
 
 namespace geargraph {
 namespace {
 
-class SolutionTable final : public QuantityTable {
+class SolutionTable final : public ResultTable {
  public:
-  SolutionTable(SnapshotPtr snapshot, EntryForm form)
-      : QuantityTable(QuantityKind::solution, form), m_snapshot(std::move(snapshot)) {}
+  SolutionTable(const NamedResult& result, SnapshotPtr snapshot, EntryForm form)
+      : ResultTable(result, form), m_snapshot(std::move(snapshot)) {}
 
   [[nodiscard]] int rows() const override { return static_cast<int>(live().outputs.size()); }
   [[nodiscard]] int columns() const override { return static_cast<int>(live().inputs.size()); }
@@ -24,8 +24,8 @@ class SolutionTable final : public QuantityTable {
     return {graph().edgeId(joint), mechanism.turningJoints[joint].head};
   }
 
-  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
-    std::vector<QuantityEntry> entries;
+  [[nodiscard]] std::vector<ResultEntry> row(int row) const override {
+    std::vector<ResultEntry> entries;
     for (int column = 0; column < columns(); ++column) {
       if (!isZero(row, column)) entries.push_back(shownEntry(row, column));
     }
@@ -72,7 +72,7 @@ class SolutionTable final : public QuantityTable {
                                          : exactAt(row, column).isZero();
   }
 
-  [[nodiscard]] QuantityEntry shownEntry(int row, int column) const {
+  [[nodiscard]] ResultEntry shownEntry(int row, int column) const {
     if (form() == EntryForm::decimals) return decimalEntry(column, live().matrix[at(row, column)]);
     if (form() == EntryForm::fractions) return fractionEntry(column, exactAt(row, column));
     const auto& symbol = m_snapshot->solved->symbolic->matrix[at(row, column)];
@@ -85,8 +85,8 @@ class SolutionTable final : public QuantityTable {
 
 }  // namespace
 
-QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form) {
-  return std::make_shared<const SolutionTable>(std::move(snapshot), form);
+ResultTablePtr solutionTable(const NamedResult& result, SnapshotPtr snapshot, EntryForm form) {
+  return std::make_shared<const SolutionTable>(result, std::move(snapshot), form);
 }
 
 }  // namespace geargraph

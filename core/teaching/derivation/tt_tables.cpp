@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/translation.h"
-#include "core/teaching/derivation/quantity_tables.h"
+#include "core/teaching/derivation/result_tables.h"
 #include "core/theory/ttgraph/notation.h"
 #include "core/theory/ttgraph/tt_matrices.h"
 
@@ -9,10 +9,10 @@ namespace geargraph {
 namespace {
 
 /// What both matrices of the T-T graph share: their columns, the branches and the chords.
-class TtTable : public QuantityTable {
+class TtTable : public ResultTable {
  public:
-  TtTable(QuantityKind kind, SnapshotPtr snapshot)
-      : QuantityTable(kind, EntryForm::fractions),
+  TtTable(const NamedResult& result, SnapshotPtr snapshot)
+      : ResultTable(result, EntryForm::fractions),
         m_snapshot(std::move(snapshot)),
         m_graph(*m_snapshot->kinematics->ttGraph),
         m_matrices(m_graph) {}
@@ -60,8 +60,8 @@ class TtTable : public QuantityTable {
     return translated("joint %1", {branchHeading(joint).text});
   }
 
-  [[nodiscard]] static std::vector<QuantityEntry> entriesOf(const std::vector<TtEntry>& row) {
-    std::vector<QuantityEntry> entries;
+  [[nodiscard]] static std::vector<ResultEntry> entriesOf(const std::vector<TtEntry>& row) {
+    std::vector<ResultEntry> entries;
     entries.reserve(row.size());
     for (const TtEntry& entry : row) {
       const std::string text = entry.value < 0 ? "-1" : "1";
@@ -97,11 +97,11 @@ class TtTable : public QuantityTable {
 
 class TtCircuitTable final : public TtTable {
  public:
-  explicit TtCircuitTable(SnapshotPtr snapshot) : TtTable(QuantityKind::ttCircuits, std::move(snapshot)) {}
+  using TtTable::TtTable;
 
   [[nodiscard]] int rows() const override { return matrices().chords(); }
   [[nodiscard]] Heading rowHeading(int row) const override { return chordHeading(row); }
-  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
+  [[nodiscard]] std::vector<ResultEntry> row(int row) const override {
     return entriesOf(matrices().circuit(row));
   }
   [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const override {
@@ -146,11 +146,11 @@ class TtCircuitTable final : public TtTable {
 
 class TtCutsetTable final : public TtTable {
  public:
-  explicit TtCutsetTable(SnapshotPtr snapshot) : TtTable(QuantityKind::ttCutsets, std::move(snapshot)) {}
+  using TtTable::TtTable;
 
   [[nodiscard]] int rows() const override { return matrices().branches(); }
   [[nodiscard]] Heading rowHeading(int row) const override { return branchHeading(row); }
-  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
+  [[nodiscard]] std::vector<ResultEntry> row(int row) const override {
     return entriesOf(matrices().cutset(row));
   }
   [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const override {
@@ -197,12 +197,12 @@ class TtCutsetTable final : public TtTable {
 
 }  // namespace
 
-QuantityTablePtr ttCircuitTable(SnapshotPtr snapshot) {
-  return std::make_shared<const TtCircuitTable>(std::move(snapshot));
+ResultTablePtr ttCircuitTable(const NamedResult& result, SnapshotPtr snapshot) {
+  return std::make_shared<const TtCircuitTable>(result, std::move(snapshot));
 }
 
-QuantityTablePtr ttCutsetTable(SnapshotPtr snapshot) {
-  return std::make_shared<const TtCutsetTable>(std::move(snapshot));
+ResultTablePtr ttCutsetTable(const NamedResult& result, SnapshotPtr snapshot) {
+  return std::make_shared<const TtCutsetTable>(result, std::move(snapshot));
 }
 
 }  // namespace geargraph

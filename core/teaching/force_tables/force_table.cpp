@@ -59,8 +59,8 @@ const std::vector<ForceTableKind>& allForceTableKinds() {
   return kinds;
 }
 
-std::string forceTableTitle(ForceTableKind kind) {
-  return translated(namesOf(kind).title);
+std::string_view forceTableTitle(ForceTableKind kind) {
+  return namesOf(kind).title;
 }
 
 std::string_view forceTableCommandName(ForceTableKind kind) {

@@ -16,7 +16,7 @@ enum class ForceTableKind { needs, joints, couplings, meshes, bearings, powers, 
 
 /// Those of one problem: all but `states`, and `needs`, which picks rows of others for the window.
 [[nodiscard]] const std::vector<ForceTableKind>& allForceTableKinds();
-[[nodiscard]] std::string forceTableTitle(ForceTableKind kind);             ///< "Joints", translated
+[[nodiscard]] std::string_view forceTableTitle(ForceTableKind kind);        ///< "Joints", to be translated
 [[nodiscard]] std::string_view forceTableCommandName(ForceTableKind kind);  ///< "joint-torques", of the CSV
 
 struct ForceColumn {

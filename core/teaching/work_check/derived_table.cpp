@@ -3,37 +3,34 @@
 #include <algorithm>
 #include <array>
 
-#include "core/foundations/base/translation.h"
+#include "core/teaching/derivation/named_results.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
 namespace geargraph {
 namespace {
 
 struct MatrixFacts {
-  std::string_view name;
-  std::string_view symbol;
-  std::string_view title;
-  PaperEquation equation;
+  std::string_view name;  ///< of the result
   RowFreedom freedom;
 };
 
 constexpr std::array<MatrixFacts, 8> kFacts = {{
-    {"incidence", "\u0393\u2070", toTranslate("Incidence matrix"), PaperEquation::incidenceMatrix,
-     RowFreedom::none},
-    {"reduced-incidence", "\u0393", toTranslate("Reduced incidence matrix"),
-     PaperEquation::reducedIncidenceMatrix, RowFreedom::none},
-    {"path", "Z", toTranslate("Path matrix"), PaperEquation::pathMatrix, RowFreedom::none},
-    {"spanning-tree", "T", toTranslate("Spanning-tree matrix"), PaperEquation::spanningTreeMatrix,
-     RowFreedom::sign},
-    {"cycle-basis", "C", toTranslate("Cycle-basis matrix"), PaperEquation::cycleBasisMatrix,
-     RowFreedom::sign},
-    {"cutset", "Q", toTranslate("Fundamental cutset matrix"), PaperEquation::none, RowFreedom::sign},
-    {"p", "P", toTranslate("Coefficient matrix"), PaperEquation::equationsInRatios, RowFreedom::multiple},
-    {"solution", "S", toTranslate("Solution"), PaperEquation::matroidSolution, RowFreedom::none},
+    {"incidence", RowFreedom::none},
+    {"reduced-incidence", RowFreedom::none},
+    {"path", RowFreedom::none},
+    {"spanning-tree", RowFreedom::sign},
+    {"cycle-basis", RowFreedom::sign},
+    {"cutset", RowFreedom::sign},
+    {"p", RowFreedom::multiple},
+    {"solution", RowFreedom::none},
 }};
 
 const MatrixFacts& factsOf(PaperMatrix kind) {
   return kFacts[static_cast<std::size_t>(kind)];
+}
+
+const NamedResult& resultOfPaper(PaperMatrix kind) {
+  return *resultNamed(factsOf(kind).name);
 }
 
 Heading headingOfJoint(const Digraph& graph, JointOrdinal joint) {
@@ -120,15 +117,17 @@ std::string_view paperMatrixName(PaperMatrix kind) {
 }
 
 std::string_view paperMatrixSymbol(PaperMatrix kind) {
-  return factsOf(kind).symbol;
+  const NamedResult& result = resultOfPaper(kind);
+  if (result.of != ResultOf::graph) return result.asciiName;
+  return result.symbol.substr(0, result.symbol.find(" = "));
 }
 
 std::string_view paperMatrixTitle(PaperMatrix kind) {
-  return factsOf(kind).title;
+  return resultOfPaper(kind).title;
 }
 
 PaperEquation paperMatrixEquation(PaperMatrix kind) {
-  return factsOf(kind).equation;
+  return resultOfPaper(kind).equation(EntryForm::symbols);
 }
 
 RowFreedom rowFreedom(PaperMatrix kind) {

@@ -90,7 +90,7 @@ void Hand::drawRobot() {
 }
 
 QStringList shownRows(MainWindow& window, MatrixKind kind) {
-  window.matrices().showMatrix(kind);
+  window.matrices().showResult(resultOf(kind));
   const MatrixModel& model = window.matrices().model();
   QStringList rows;
   for (int i = 0; i < model.rowCount(); ++i) {

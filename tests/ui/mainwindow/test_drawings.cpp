@@ -240,7 +240,7 @@ class DrawingsTest : public QObject {
 
   void aLargeMatrixIsExportedBesideTheWindowAndCanBeStopped() {
     const auto large = analyze(std::make_shared<const Mechanism>(test::randomTrain(7, 3000, 1200)));
-    const IntegerMatrixPtr matrix = large->matrix(MatrixKind::incidence);
+    const ResultTablePtr matrix = exactTable(resultOf(MatrixKind::incidence), {large});
     QSignalSpy failed(&window->exports(), &WindowExports::rejected);
     QSignalSpy done(&window->exports(), &WindowExports::written);
     window->exports().exportCsv(matrix, folder.filePath("stopped.csv"));

@@ -256,7 +256,8 @@ class MainWindowTest : public QObject {
     QVERIFY(window->isWindowModified());
     QVERIFY(!window->statusLine().text().isEmpty());
     QSignalSpy rejected(&window->exports(), &WindowExports::rejected);
-    window->exports().exportCsv(window->analysis().snapshot()->matrix(MatrixKind::incidence), nowhere);
+    window->exports().exportCsv(exactTable(resultOf(MatrixKind::incidence), {window->analysis().snapshot()}),
+                                nowhere);
     QVERIFY(rejected.wait());
     QVERIFY(!QFileInfo::exists(nowhere));
   }

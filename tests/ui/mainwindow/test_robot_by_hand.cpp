@@ -103,7 +103,7 @@ class RobotByHandTest : public QObject {
     const QStringList rows = test::shownRows(*window, MatrixKind::cycleBasis);
     const QString path = folder.filePath(QStringLiteral("C.csv"));
     QSignalSpy written(&window->exports(), &WindowExports::written);
-    window->exports().exportCsv(window->matrices().model().matrix(), path);
+    window->exports().exportCsv(window->matrices().model().table(), path);
     QVERIFY(written.wait());
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -134,7 +134,7 @@ class RobotByHandTest : public QObject {
 
   void pointingAtALinkLightsItsRow() {
     test::Hand hand(*window);
-    window->matrices().showMatrix(MatrixKind::incidence);
+    window->matrices().showResult(resultOf(MatrixKind::incidence));
     hand.key(Qt::Key_V);
     hand.moveOver(7);
     QCOMPARE(window->selection().hovered(), std::set<ElementId>{now()->links.at(7).id});

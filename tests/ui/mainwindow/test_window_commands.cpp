@@ -107,7 +107,7 @@ class WindowCommandsTest : public QObject {
   }
 
   void csvIsAskedHowItIsWritten() {
-    window->matrices().showMatrix(MatrixKind::cycleBasis);
+    window->matrices().showResult(resultOf(MatrixKind::cycleBasis));
     press(Qt::Key_E, Qt::ControlModifier);
     QPointer<CsvDialog> dialog = window->findChild<CsvDialog*>();
     QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -135,7 +135,7 @@ class WindowCommandsTest : public QObject {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("C.csv"));
     QSignalSpy written(&window->exports(), &WindowExports::written);
-    window->exports().exportCsv(window->matrices().model().matrix(), path, chosen);
+    window->exports().exportCsv(window->matrices().model().table(), path, chosen);
     QTRY_COMPARE(written.count(), 1);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));

@@ -26,7 +26,8 @@ class MatrixModelTest : public QObject {
     MatrixModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.setSnapshot(snapshotOf(test::robotTopology()));
-    for (const MatrixKind kind : allMatrixKinds()) model.setKind(kind);
+    for (const NamedResult* result : namedResults()) model.setResult(*result);
+    model.setResult(resultOf(MatrixKind::cutset));
     model.setSnapshot(snapshotOf(emptyMechanism()));
     model.setSnapshot(snapshotOf(test::randomTree(3, 12, 7)));
     model.setPreview(
@@ -51,9 +52,9 @@ class MatrixModelTest : public QObject {
     auto loose = withLink(test::robotTopology(), CanvasPoint{});
     MatrixModel model;
     model.setSnapshot(snapshotOf(std::move(loose).value()));
-    QVERIFY(model.matrix() == nullptr);
+    QVERIFY(model.table() == nullptr);
     QCOMPARE(model.rowCount(), 0);
-    model.setKind(MatrixKind::incidence);
+    model.setResult(resultOf(MatrixKind::incidence));
     QCOMPARE(model.rowCount(), 9);
   }
 
@@ -62,7 +63,7 @@ class MatrixModelTest : public QObject {
     model.setSnapshot(snapshotOf(test::robotTopology()));
     const std::set<ElementId> cycle{JointId("9"), JointId("10"), JointId("12"), MeshId("16")};
     QCOMPARE(model.elementsOfCell(1, 0), cycle);
-    model.setKind(MatrixKind::incidence);
+    model.setResult(resultOf(MatrixKind::incidence));
     QCOMPARE(model.elementsOfCell(4, 0), (std::set<ElementId>{LinkId("4"), JointId("8")}));
   }
 
@@ -85,7 +86,7 @@ class MatrixModelTest : public QObject {
   void previewOfATurningJointRenumbersTheMeshes() {
     auto loose = withLink(test::robotTopology(), CanvasPoint{});
     MatrixModel model;
-    model.setKind(MatrixKind::incidence);
+    model.setResult(resultOf(MatrixKind::incidence));
     model.setSnapshot(snapshotOf(*loose));
     const LinkId added = loose->links.back().id;
     model.setPreview(previewOf(*loose, {ElementKind::turningJoint, LinkId("3"), added, true}));
@@ -117,7 +118,7 @@ class MatrixModelTest : public QObject {
 
   void changesAreKnownByIdsNotPlaces() {
     MatrixModel model;
-    model.setKind(MatrixKind::incidence);
+    model.setResult(resultOf(MatrixKind::incidence));
     const Mechanism robot = test::robotTopology();
     model.setSnapshot(snapshotOf(robot));
     const ElementId gone[] = {ElementId(MeshId("15"))};
@@ -139,7 +140,7 @@ class MatrixModelTest : public QObject {
     const SnapshotPtr next = snapshotOf(withTeeth(robot, MeshId("15"), 20, 40).value());
     model.setSnapshot(next);
     QCOMPARE(data.count() + matrix.count(), 0);
-    QCOMPARE(model.matrix(), next->matrix(MatrixKind::cycleBasis));
+    QCOMPARE(model.table()->integers(), next->matrix(MatrixKind::cycleBasis));
     model.setSnapshot(snapshotOf(withFlipped(robot, JointId("10")).value()));
     QCOMPARE(matrix.count(), 1);
   }

@@ -14,7 +14,9 @@
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/snapshot_of.h"
+#include "tests/core/support/toy_result.h"
 #include "tests/core/support/train_sketch.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_header.h"
 #include "ui/panels/matrix_view.h"
@@ -90,25 +92,26 @@ class MatricesPanelTest : public QObject {
     };
     using Cells = std::set<std::pair<int, int>>;
     QVERIFY(framed() == Cells({{1, 2}}));  // C16 below 10
-    panel->showMatrix(MatrixKind::spanningTree);
+    panel->showResult(resultOf(MatrixKind::spanningTree));
     QVERIFY(framed() == Cells({{1, 2}}));
-    panel->showMatrix(MatrixKind::cutset);  // row of joint 10, column of mesh 16, behind the 7 joints
+    panel->showResult(
+        resultOf(MatrixKind::cutset));  // row of joint 10, column of mesh 16, behind the 7 joints
     QVERIFY(framed() == Cells({{2, 8}}));
     QVERIFY(view().showFramed());
     QCOMPARE(view().currentIndex(), panel->model().index(2, 8));
     QVERIFY2(!cardTitle().isEmpty() && cardTitle().contains(QLatin1String("16")), qPrintable(cardTitle()));
     // In the T-T graph mesh 16 has two chords; joint 10 is in the circuit of the first, its tail gear's.
-    panel->showQuantity(QuantityKind::ttCutsets);
+    panel->showResult(*resultNamed("tt-cutsets"));
     QVERIFY(framed() == Cells({{2, 9}}));
-    panel->showQuantity(QuantityKind::ttCircuits);
+    panel->showResult(*resultNamed("tt-circuits"));
     QVERIFY(framed() == Cells({{2, 2}}));
     view().setFramed(MeshId("16"), JointId("12"));  // in that of the second, its head gear's
     QVERIFY(framed() == Cells({{3, 4}}));
-    panel->showQuantity(QuantityKind::ttCutsets);
+    panel->showResult(*resultNamed("tt-cutsets"));
     QVERIFY(framed() == Cells({{4, 10}}));
-    panel->showMatrix(MatrixKind::path);  // of joints and links
+    panel->showResult(resultOf(MatrixKind::path));  // of joints and links
     QVERIFY(framed().empty() && !view().showFramed());
-    panel->showMatrix(MatrixKind::cycleBasis);
+    panel->showResult(resultOf(MatrixKind::cycleBasis));
     view().setFramed({}, {});
     QVERIFY(framed().empty());
   }
@@ -130,7 +133,7 @@ class MatricesPanelTest : public QObject {
       return copy->mapTo(bar, QPoint(0, 0)).y() > chip->mapTo(bar, QPoint(0, chip->height() - 1)).y();
     };
     for (const MatrixKind kind : {MatrixKind::path, MatrixKind::cycleBasis}) {
-      panel->showMatrix(kind);
+      panel->showResult(resultOf(kind));
       panel->resize(800, 280);
       QTRY_VERIFY(!bar->isFolded() && fits() && !isBelow());
       panel->resize(panel->minimumSizeHint().width(), 280);
@@ -174,7 +177,7 @@ class MatricesPanelTest : public QObject {
   /// The f-circuits and f-cutsets of the T-T graph: linked, told, exported; whole numbers need no form.
   void theMatricesOfTheTtGraph() {
     QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("chip.tt-cutsets")), Qt::LeftButton);
-    QVERIFY(panel->model().quantityKind() == QuantityKind::ttCutsets);
+    QVERIFY(panel->model().result().name == "tt-cutsets");
     QCOMPARE(panel->model().rowCount(), 7);
     QCOMPARE(panel->model().columnCount(), 15);
     QCOMPARE(panel->model().partition(), 7);
@@ -184,25 +187,24 @@ class MatricesPanelTest : public QObject {
     QVERIFY(view().isColumnHighlighted(9) && view().isColumnHighlighted(10) &&
             !view().isColumnHighlighted(8));
     selection.clear();
-    QSignalSpy wanted(panel.get(), &MatricesPanel::quantityExportWanted);
+    QSignalSpy wanted(panel.get(), &MatricesPanel::exportWanted);
     panel->wantExport();
     QCOMPARE(wanted.size(), 1);
     QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("chip.tt-circuits")), Qt::LeftButton);
-    QVERIFY(panel->model().quantityKind() == QuantityKind::ttCircuits);
+    QVERIFY(panel->model().result().name == "tt-circuits");
     QCOMPARE(panel->model().rowCount(), 8);
-    panel->showQuantity(QuantityKind::coefficients);
+    panel->showResult(*resultNamed("p"));
     QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("entryForm"))->isHidden());
-    panel->showMatrix(MatrixKind::cycleBasis);
+    panel->showResult(resultOf(MatrixKind::cycleBasis));
   }
 
   void chipsChangeTheMatrix() {
-    for (const MatrixKind kind : allMatrixKinds()) {
-      const std::string_view name = matrixCommandName(kind);
-      auto* chip =
-          panel->findChild<QToolButton*>(QStringLiteral("chip.") + QString::fromStdString(std::string(name)));
-      QVERIFY(chip != nullptr);
+    for (const NamedResult* result : namedResults()) {
+      auto* chip = panel->findChild<QToolButton*>(QStringLiteral("chip.") + shownText(result->name));
+      QCOMPARE(chip != nullptr, !result->symbol.empty());
+      if (chip == nullptr) continue;
       QTest::mouseClick(chip, Qt::LeftButton);
-      QCOMPARE(panel->model().kind(), kind);
+      QCOMPARE(&panel->model().result(), result);
       QVERIFY(!chip->toolTip().isEmpty());
     }
   }
@@ -218,6 +220,31 @@ class MatricesPanelTest : public QObject {
     }
     QCOMPARE(begins, (QStringList{"C = [T | U]\t8", "C = [T | U],8", "\\begin{array}", "% Cycle-basis",
                                   "# Cycle-basis"}));
+  }
+
+  /// What is new in the catalogue is shown, told, copied and exported without a line in the window.
+  void aToyResultHasAChip() {
+    const test::ToyResult toy;
+    MatricesPanel with(&selection);
+    with.setSnapshot(snapshotOf(test::robotTopology()));
+    auto* chip = with.findChild<QToolButton*>(QStringLiteral("chip.toy-degrees"));
+    QVERIFY(chip != nullptr && chip->toolTip().contains("How many joints and meshes each link has."));
+    QCOMPARE(chip->text(), QStringLiteral("D"));
+    chip->click();
+    QCOMPARE(with.model().rowCount(), 8);
+    QCOMPARE(with.model().partition(), 1);
+    QCOMPARE(with.model().index(0, 0).data().toString(), QStringLiteral("3"));
+    QCOMPARE(with.model().elementsOfCell(4, 0), std::set<ElementId>{LinkId("4")});
+    QCOMPARE(with.findChild<QLabel*>(QStringLiteral("cellTitle"))->text(),
+             QStringLiteral("Degrees of the links"));
+    QVERIFY(with.findChild<QToolButton*>(QStringLiteral("entryForm"))->isHidden());
+    QSignalSpy copied(&with, &MatricesPanel::copied);
+    with.findChild<QToolButton*>(QStringLiteral("copyMatrix"))->menu()->actions().front()->trigger();
+    QTRY_COMPARE(copied.count(), 1);
+    QVERIFY(QApplication::clipboard()->text().startsWith("D\tJ\tM\n0\t3\t0\n"));
+    QSignalSpy wanted(&with, &MatricesPanel::exportWanted);
+    with.wantExport();
+    QCOMPARE(wanted.count(), 1);
   }
 
   void zerosAreDotsOrNot() {
@@ -288,11 +315,10 @@ class MatricesPanelTest : public QObject {
     const auto formats = panel->findChild<QToolButton*>("copyMatrix")->menu()->actions();
     formats.at(1)->trigger();
     QTRY_VERIFY(QApplication::clipboard()->text().startsWith("S,"));
-    QSignalSpy whole(panel.get(), &MatricesPanel::exportWanted);
-    QSignalSpy quantity(panel.get(), &MatricesPanel::quantityExportWanted);
+    QSignalSpy wanted(panel.get(), &MatricesPanel::exportWanted);
     QTest::mouseClick(panel->findChild<QToolButton*>("exportCsv"), Qt::LeftButton);
-    QCOMPARE(quantity.count(), 1);
-    QCOMPARE(whole.count(), 0);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().front().value<ResultTablePtr>(), panel->model().table());
   }
 
   void aMatrixThatIsTooLargeForTheClipboardIsNotCopied() {

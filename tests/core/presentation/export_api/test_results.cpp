@@ -135,8 +135,8 @@ class ResultsTest : public QObject {
   void theAnalysisIsWrittenWithoutItsMatrices() {
     TextSink all, without;
     const SnapshotPtr snapshot = analysed(robot());
-    writeAnalysisJson(all, snapshot.get(), {});
-    writeAnalysisJson(without, snapshot.get(), {}, {.matrices = false});
+    writeAnalysisJson(all, snapshot, {});
+    writeAnalysisJson(without, snapshot, {}, {.matrices = false});
     QVERIFY(all.text().find("\"cycleBasis\"") != std::string::npos);
     QVERIFY(without.text().find("\"matrices\"") == std::string::npos);
     QVERIFY(without.text().find("\"cycles\"") == std::string::npos);

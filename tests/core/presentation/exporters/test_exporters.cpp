@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <set>
 
-#include "core/presentation/export_api/csv_tables.h"
 #include "core/presentation/export_api/named_drawings.h"
 #include "core/presentation/exporters/exporters.h"
 #include "tests/core/support/example_files.h"
@@ -293,13 +292,6 @@ class ExportersTest : public QObject {
     Heard heard;
     ExportContext context = contextOf(example("robot"), heard);
     QVERIFY(std::holds_alternative<ExportOutcome>(all.write(context, withImplied(all, {}), target, {})));
-  }
-
-  void tablesAndDrawingsAreThoseOfTheirRegistries() {
-    const SnapshotPtr snapshot = snapshotOf(example("robot"));
-    std::vector<std::string> names;
-    for (const CsvTable& table : csvTables(snapshot, solvedStatics(snapshot))) names.emplace_back(table.name);
-    QCOMPARE(csvTableNames(), names);
   }
 
   void anAnalysisThatIsThereIsUsed() {

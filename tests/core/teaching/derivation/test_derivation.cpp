@@ -5,7 +5,8 @@
 #include "core/mechanism/graph/matrices.h"
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/teaching/derivation/glossary.h"
-#include "core/teaching/derivation/matrix_text.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 #include "tests/core/support/mechanisms.h"
 
 namespace geargraph {
@@ -26,6 +27,15 @@ class DerivationTest : public QObject {
     for (const char* id : turning) elements.insert(JointId(id));
     for (const char* id : meshes) elements.insert(MeshId(id));
     return elements;
+  }
+
+  [[nodiscard]] static std::string textOf(MatrixKind kind, const DigraphPtr& of, const SpanningTreePtr& with,
+                                          TableFormat format) {
+    const auto snapshot = std::make_shared<AnalysisSnapshot>();
+    snapshot->graph = of;
+    snapshot->tree = with;
+    for (const MatrixKind each : allMatrixKinds()) snapshot->matrices.push_back(matrixOf(each, of, with));
+    return resultText(*exactTable(resultOf(kind), {snapshot}), format);
   }
 
  private slots:
@@ -91,28 +101,28 @@ class DerivationTest : public QObject {
 
   void tableForSpreadsheetsHasLabels() {
     const QStringList lines =
-        QString::fromStdString(matrixTsv(*matrixOf(MatrixKind::spanningTree, graph, tree))).split('\n');
+        QString::fromStdString(textOf(MatrixKind::spanningTree, graph, tree, TableFormat::tsv)).split('\n');
     QCOMPARE(lines.at(0), QStringLiteral("T\t8\t9\t10\t11\t12\t13\t14"));
     QCOMPARE(lines.at(2), QStringLiteral("C16\t0\t1\t-1\t0\t-1\t0\t0"));
     QCOMPARE(lines.size(), 6);  // header, 4 rows, what follows the last line end
-    QVERIFY(matrixCsv(*matrixOf(MatrixKind::spanningTree, graph, tree))
+    QVERIFY(textOf(MatrixKind::spanningTree, graph, tree, TableFormat::csv)
                 .starts_with("T,8,9,10,11,12,13,14\nC15,1,0,-1"));
   }
 
   void latexShowsThePartition() {
-    const QString text = QString::fromStdString(matrixLatex(*matrixOf(MatrixKind::cycleBasis, graph, tree)));
+    const QString text =
+        QString::fromStdString(textOf(MatrixKind::cycleBasis, graph, tree, TableFormat::latex));
     QVERIFY(text.startsWith("\\begin{array}{c|rrrrrrr|rrrr}\n & 8 & 9"));
     QVERIFY(text.contains("C_{16} & 0 & 1 & -1 & 0 & -1 & 0 & 0 & 0 & 1 & 0 & 0 \\\\\n"));
     QVERIFY(text.endsWith("1\n\\end{array}\n"));
   }
 
   void assignmentsForMatlabAndPython() {
-    const IntegerMatrixPtr T = matrixOf(MatrixKind::spanningTree, graph, tree);
-    QCOMPARE(QString::fromStdString(matrixMatlab(*T)),
+    QCOMPARE(QString::fromStdString(textOf(MatrixKind::spanningTree, graph, tree, TableFormat::matlab)),
              QStringLiteral("% Spanning-tree matrix; rows C15 C16 C17 C18; columns 8 9 10 11 12 13 14\n"
                             "T = [\n  1 0 -1 0 0 0 0\n  0 1 -1 0 -1 0 0\n  0 0 0 1 -1 -1 0\n"
                             "  0 0 0 0 0 1 -1\n];\n"));
-    QVERIFY(QString::fromStdString(matrixNumpy(*T))
+    QVERIFY(QString::fromStdString(textOf(MatrixKind::spanningTree, graph, tree, TableFormat::numpy))
                 .endsWith("T = np.array([\n    [1, 0, -1, 0, 0, 0, 0],\n    [0, 1, -1, 0, -1, 0, 0],\n"
                           "    [0, 0, 0, 1, -1, -1, 0],\n    [0, 0, 0, 0, 0, 1, -1],\n])\n"));
   }
@@ -120,8 +130,8 @@ class DerivationTest : public QObject {
   void emptyMatricesAreTextToo() {
     const auto g = std::make_shared<const Digraph>(emptyMechanism());
     const auto s = std::make_shared<const SpanningTree>(*SpanningTree::of(*g));
-    QCOMPARE(matrixTsv(*matrixOf(MatrixKind::cycleBasis, g, s)), std::string("C = [T | U]\n"));
-    QCOMPARE(matrixTsv(*matrixOf(MatrixKind::incidence, g, s)), std::string("Γ⁰\n0\n"));
+    QCOMPARE(textOf(MatrixKind::cycleBasis, g, s, TableFormat::tsv), std::string("C = [T | U]\n"));
+    QCOMPARE(textOf(MatrixKind::incidence, g, s, TableFormat::tsv), std::string("Γ⁰\n0\n"));
   }
 
   void everyTermIsDefinedOnce() {
@@ -138,7 +148,7 @@ class DerivationTest : public QObject {
 
   void everyMatrixHasItsTerm() {
     for (const MatrixKind kind : allMatrixKinds()) {
-      const Definition& definition = definitionOf(termOf(kind));
+      const Definition& definition = definitionOf(*resultOf(kind).term);
       QCOMPARE(definition.symbol, matrixSymbol(kind));
       QCOMPARE(definition.name, matrixTitle(kind));
       QCOMPARE(definition.equation, matrixEquation(kind));

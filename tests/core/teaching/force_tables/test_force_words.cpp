@@ -94,11 +94,11 @@ class ForceWordsTest : public QObject {
       std::vector<ForceTableKind> kinds = allForceTableKinds();
       kinds.push_back(ForceTableKind::needs);
       for (const ForceTableKind kind : kinds) {
-        verifyTranslated(forceTableTitle(kind), names);
+        verifyTranslated(translated(forceTableTitle(kind)), names);
         verifyTable(loaded.table(kind), names);
       }
     }
-    verifyTranslated(forceTableTitle(ForceTableKind::states), {});
+    verifyTranslated(translated(forceTableTitle(ForceTableKind::states)), {});
     const Mechanism box = eightSpeed();
     verifyTable(shiftTable(box, {}), namesIn(box));
   }

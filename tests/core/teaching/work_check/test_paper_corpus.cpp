@@ -2,8 +2,8 @@
 #include <map>
 #include <set>
 
-#include "core/teaching/derivation/matrix_text.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 #include "core/teaching/exercises/exercise_random.h"
 #include "core/teaching/work_check/work_check.h"
 #include "tests/core/support/example_files.h"
@@ -244,21 +244,16 @@ class PaperCorpusTest : public QObject {
   /// What this program writes for other programs can be read again.
   void whatIsExported_isRight() {
     const ExerciseSource source(test::example("robot"));
-    for (const PaperMatrix kind : allPaperMatrices()) {
-      if (kind >= PaperMatrix::coefficients) continue;
-      const IntegerMatrix& matrix = *source.matrix(static_cast<MatrixKind>(kind));
-      for (const std::string& text : {matrixCsv(matrix), matrixTsv(matrix), matrixLatex(matrix),
-                                      matrixMatlab(matrix), matrixNumpy(matrix)})
-        expectRight(source, text, kind);
-    }
     const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(source.mechanism()));
-    for (const QuantityKind kind : {QuantityKind::coefficients, QuantityKind::solution}) {
-      for (const EntryForm form : formsOf(*snapshot, kind)) {
-        const QuantityTablePtr table = quantityTable(snapshot, kind, form);
-        const PaperMatrix own =
-            kind == QuantityKind::solution ? PaperMatrix::solution : PaperMatrix::coefficients;
-        for (const std::string& text : {quantityCsv(*table), quantityTsv(*table), quantityLatex(*table)})
-          expectRight(source, text, own);
+    for (const PaperMatrix kind : allPaperMatrices()) {
+      const NamedResult& result = *resultNamed(paperMatrixName(kind));
+      for (const EntryForm form : result.forms({snapshot})) {
+        const ResultTablePtr table = resultTable(result, {snapshot}, form);
+        for (const TableFormat format : {TableFormat::csv, TableFormat::tsv, TableFormat::latex})
+          expectRight(source, resultText(*table, format), kind);
+        if (!result.isWhole) continue;
+        for (const TableFormat format : {TableFormat::matlab, TableFormat::numpy})
+          expectRight(source, resultText(*table, format), kind);
       }
     }
   }

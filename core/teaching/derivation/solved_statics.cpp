@@ -1,4 +1,4 @@
-#include "core/presentation/export_api/solved_statics.h"
+#include "core/teaching/derivation/solved_statics.h"
 
 #include <algorithm>
 

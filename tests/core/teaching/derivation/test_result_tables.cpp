@@ -2,24 +2,28 @@
 
 #include "core/foundations/files/csv.h"
 #include "core/mechanism/model/edits.h"
-#include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/derivation/named_results.h"
+#include "core/teaching/derivation/result_text.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {
 
 /// The tables beside the matrices of whole numbers, for the paper's robot.
-class QuantityTableTest : public QObject {
+class ResultTablesTest : public QObject {
   Q_OBJECT
 
   SnapshotPtr live;
   SnapshotPtr full;
 
   [[nodiscard]] static Mechanism robot() { return test::example("robot"); }
-  [[nodiscard]] QuantityTablePtr table(QuantityKind kind, EntryForm form) const {
-    return quantityTable(full, kind, form);
+  [[nodiscard]] static ResultTablePtr tableOf(const SnapshotPtr& snapshot, const char* name, EntryForm form) {
+    return resultTable(*resultNamed(name), {snapshot}, form);
+  }
+  [[nodiscard]] ResultTablePtr table(const char* name, EntryForm form) const {
+    return tableOf(full, name, form);
   }
   /// "C15 | -i15 0 0 -1 0 0 0"
-  [[nodiscard]] static QStringList lines(const QuantityTable& table) {
+  [[nodiscard]] static QStringList lines(const ResultTable& table) {
     QStringList all;
     for (int i = 0; i < table.rows(); ++i) {
       QString line = QString::fromStdString(table.rowHeading(i).text).simplified() + " |";
@@ -31,7 +35,7 @@ class QuantityTableTest : public QObject {
     }
     return all;
   }
-  [[nodiscard]] static QString explained(const QuantityTable& table, int row, int column) {
+  [[nodiscard]] static QString explained(const ResultTable& table, int row, int column) {
     const CellExplanation cell = table.explanation(row, column);
     return QString::fromStdString(cell.title + " | " + cell.text);
   }
@@ -43,7 +47,7 @@ class QuantityTableTest : public QObject {
   }
 
   void eq24_coefficientsInRatios() {
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    const ResultTablePtr p = table("p", EntryForm::symbols);
     QStringList heads;
     for (int j = 0; j < p->columns(); ++j) heads << QString::fromStdString(p->columnHeading(j).text);
     QCOMPARE(heads.join(' '), QString("8 9 11 10 12 13 14"));  // the inputs first
@@ -53,12 +57,12 @@ class QuantityTableTest : public QObject {
   }
 
   void eq19_coefficientsInLengths() {
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::fractions);
+    const ResultTablePtr p = table("p", EntryForm::fractions);
     QVERIFY(!p->partition());
     // d4/2 = 18, d1/2 = 36, d5/2 = 20, d2/2 = 30, d6/2 = 24, d7'/2 = 18, d7''/2 = 16, d3/2 = 24
     QCOMPARE(lines(*p), (QStringList{"C15 | -18 0 -36 0 0 0 0", "C16 | 0 20 -20 0 30 0 0",
                                      "C17 | 0 0 0 24 -24 18 0", "C18 | 0 0 0 0 0 -16 24"}));
-    const QuantityTablePtr decimals = table(QuantityKind::coefficients, EntryForm::decimals);
+    const ResultTablePtr decimals = table("p", EntryForm::decimals);
     for (int row = 0; row < 4; ++row) {
       const auto exact = p->row(row);
       const auto rounded = decimals->row(row);
@@ -68,25 +72,24 @@ class QuantityTableTest : public QObject {
   }
 
   void eq25_solution() {
-    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::symbols);
+    const ResultTablePtr s = table("solution", EntryForm::symbols);
     QVERIFY(s->headsAreRates());
     QCOMPARE(lines(*s),
              (QStringList{"10 | -i15 0 0", "12 | -i16*i15 -i16 0", "13 | -i17*i16*i15 -i17*i16 -i17",
                           "14 | -i18*i17*i16*i15 -i18*i17*i16 -i18*i17"}));
-    QCOMPARE(lines(*table(QuantityKind::solution, EntryForm::fractions)).at(1), QString("12 | -1/3 -2/3 0"));
-    QCOMPARE(lines(*table(QuantityKind::solution, EntryForm::decimals)).at(0), QString("10 | -0.5 0 0"));
+    QCOMPARE(lines(*table("solution", EntryForm::fractions)).at(1), QString("12 | -1/3 -2/3 0"));
+    QCOMPARE(lines(*table("solution", EntryForm::decimals)).at(0), QString("10 | -0.5 0 0"));
   }
 
   void eq06_screws() {
-    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::fractions);
+    const ResultTablePtr u = table("screw", EntryForm::fractions);
     QCOMPARE(u->rows(), 10);  // 2 + 3 + 3 + 2 joints of the four cycles
     QCOMPARE(u->columns(), 6);
     QCOMPARE(u->partition(), std::optional<int>(3));
     QCOMPARE(QString::fromStdString(u->rowHeading(2).text).simplified(), QString("C16 9"));
     for (int row = 0; row < u->rows(); ++row) {
       double square = 0;
-      for (const QuantityEntry& entry : u->row(row))
-        square += entry.column < 3 ? entry.value * entry.value : 0;
+      for (const ResultEntry& entry : u->row(row)) square += entry.column < 3 ? entry.value * entry.value : 0;
       QVERIFY(std::abs(square - 1) < 1e-12);
     }
     // Where all x are 0, Q = R = 0, Eq. (12): the moment is P alone.
@@ -97,12 +100,12 @@ class QuantityTableTest : public QObject {
   }
 
   void pIsTTimesTheScrewsMoment() {
-    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::decimals);
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::decimals);
+    const ResultTablePtr u = table("screw", EntryForm::decimals);
+    const ResultTablePtr p = table("p", EntryForm::decimals);
     const IntegerMatrix& t = *full->matrix(MatrixKind::spanningTree);
     int row = 0;
     for (int mesh = 0; mesh < p->rows(); ++mesh) {
-      for (const QuantityEntry& entry : p->row(mesh)) {
+      for (const ResultEntry& entry : p->row(mesh)) {
         QCOMPARE(entry.value, t.entry(mesh, entry.column) * u->entry(row, 3)->value);
         ++row;
       }
@@ -112,13 +115,13 @@ class QuantityTableTest : public QObject {
   /// Columns are the branches, then the two chords of each mesh, named as the T-T graph's equations name
   /// them.
   void circuitsAndCutsetsOfTheTtGraph() {
-    const QuantityTablePtr b = table(QuantityKind::ttCircuits, EntryForm::fractions);
+    const ResultTablePtr b = table("tt-circuits", EntryForm::fractions);
     QStringList heads;
     for (int j = 0; j < b->columns(); ++j) heads << QString::fromStdString(b->columnHeading(j).text);
     QCOMPARE(heads.join(' '), QString("8 9 10 11 12 13 14 40' 10' 51'' 21'' 62''' 72''' 72'''' 32''''"));
     QCOMPARE(b->partition(), std::optional<int>(7));
     QCOMPARE(lines(*b).at(2), QString("51'' | 0 -1 1 0 0 0 0 0 0 1 0 0 0 0 0"));
-    const QuantityTablePtr q = table(QuantityKind::ttCutsets, EntryForm::fractions);
+    const ResultTablePtr q = table("tt-cutsets", EntryForm::fractions);
     QCOMPARE(lines(*q).at(2), QString("10 | 0 0 1 0 0 0 0 0 1 -1 0 0 0 0 0"));  // M_10 + M'_10 - M''_51 = 0
     QVERIFY(q->columnHeading(9).element == ElementId(MeshId("16")));
     QCOMPARE(q->elementsOfRow(2), (std::set<ElementId>{JointId("10"), MeshId("15"), MeshId("16")}));
@@ -130,16 +133,16 @@ class QuantityTableTest : public QObject {
     QVERIFY(explained(*q, 2, 7).contains("Both ends of the chord 40' from gear 4 to carrier 0"));
     QVERIFY(explained(*b, 2, 1).contains("joint 9 counts with plus. On one side with the chord it is −1."));
     QVERIFY(explained(*b, 2, 0).contains("Joint 8 is not between the ends of the chord 51''"));
-    QVERIFY(quantityTable(full, QuantityKind::ttCutsets, EntryForm::decimals) == nullptr);  // whole numbers
-    QVERIFY(quantityCsv(*q).starts_with("Qtt,8,9,10,11,12,13,14,40',10',51'',"));
-    QVERIFY(quantityLatex(*q).starts_with("\\begin{array}{c|rrrrrrr|rrrrrrrr}"));
+    QVERIFY(tableOf(full, "tt-cutsets", EntryForm::decimals) == nullptr);  // whole numbers
+    QVERIFY(resultText(*q, TableFormat::csv).starts_with("Qtt,8,9,10,11,12,13,14,40',10',51'',"));
+    QVERIFY(resultText(*q, TableFormat::latex).starts_with("\\begin{array}{c|rrrrrrr|rrrrrrrr}"));
   }
 
   void anEngagedCouplingIsAChord() {
     Mechanism simpson = test::example("simpson");
     simpson.engaged = simpson.states.front().engaged;
     const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(std::move(simpson)));
-    const QuantityTablePtr q = quantityTable(snapshot, QuantityKind::ttCutsets, EntryForm::fractions);
+    const ResultTablePtr q = tableOf(snapshot, "tt-cutsets", EntryForm::fractions);
     QVERIFY(q != nullptr);
     const int last = q->columns() - 1;
     const ElementId coupling(snapshot->mechanism->engaged.back());
@@ -155,76 +158,78 @@ class QuantityTableTest : public QObject {
   }
 
   void cellsTellTheirRule() {
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    const ResultTablePtr p = table("p", EntryForm::symbols);
     QCOMPARE(
         explained(*p, 1, 1),
         QString("C16, joint 9: i16 | The row divided by the radius of the head's gear: joint 9 turns about "
                 "the axis of the tail's gear, which leaves the ratio i16 = 2/3. Eq. (24)"));
     QVERIFY(explained(*p, 1, 0).contains("C16 does not use joint 8"));
-    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::symbols);
+    const ResultTablePtr s = table("solution", EntryForm::symbols);
     QVERIFY(explained(*s, 1, 0).contains("With these teeth: -1/3. Eq. (25)"));
     QVERIFY(explained(*s, 0, 2).contains("does not feel input 11"));
-    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::decimals);
+    const ResultTablePtr u = table("screw", EntryForm::decimals);
     QVERIFY(explained(*u, 2, 3).contains("C16, joint 9, P"));
     QVERIFY(explained(*u, 2, 3).contains("pitch point of mesh 16"));
     QVERIFY(explained(*u, 2, 2).contains("Eqs. (7)-(9)"));
   }
 
   void rowsNameWhatLightsUp() {
-    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::symbols);
+    const ResultTablePtr s = table("solution", EntryForm::symbols);
     QCOMPARE(s->elementsOfRow(1), (std::set<ElementId>{JointId("12"), LinkId("2")}));
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    const ResultTablePtr p = table("p", EntryForm::symbols);
     QCOMPARE(p->elementsOfRow(0), (std::set<ElementId>{JointId("8"), JointId("10"), MeshId("15")}));
-    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::decimals);
+    const ResultTablePtr u = table("screw", EntryForm::decimals);
     QCOMPARE(u->elementsOfRow(2), (std::set<ElementId>{JointId("9"), MeshId("16")}));
     QVERIFY(u->columnHeading(0).element.id.empty());
   }
 
   void textsForOtherPrograms() {
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
-    QVERIFY(quantityCsv(*p).starts_with("P,8,9,11,10,12,13,14\nC15,-i15,0,0,-1,0,0,0\n"));
-    QVERIFY(quantityTsv(*p).find("C16\t0\ti16\t0\t-i16\t1\t0\t0\n") != std::string::npos);
-    const std::string latex = quantityLatex(*p);
+    const ResultTablePtr p = table("p", EntryForm::symbols);
+    QVERIFY(resultText(*p, TableFormat::csv).starts_with("P,8,9,11,10,12,13,14\nC15,-i15,0,0,-1,0,0,0\n"));
+    QVERIFY(resultText(*p, TableFormat::tsv).find("C16\t0\ti16\t0\t-i16\t1\t0\t0\n") != std::string::npos);
+    const std::string latex = resultText(*p, TableFormat::latex);
     QVERIFY(latex.starts_with("\\begin{array}{c|rrr|rrrr}\n & 8 & 9"));
     QVERIFY(latex.find("C_{15} & -i_{15} & 0") != std::string::npos);
-    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::fractions);
-    QVERIFY(quantityLatex(*s).find("\\dot{\\theta}_{12} & -\\frac{1}{3} & -\\frac{2}{3} & 0") !=
-            std::string::npos);
-    QVERIFY(quantityMatlab(*s).find("S = [\n  -1/2 0 0\n") != std::string::npos);
-    // Decimals that read back as the same double.
-    QVERIFY(quantityNumpy(*table(QuantityKind::solution, EntryForm::decimals))
-                .find("[-0.3333333333333333, -0.6666666666666666, 0]") != std::string::npos);
+    const ResultTablePtr s = table("solution", EntryForm::fractions);
     QVERIFY(
-        quantityCsv(*table(QuantityKind::screws, EntryForm::decimals)).starts_with("U,L,M,N,P,Q,R\nC15 8,"));
+        resultText(*s, TableFormat::latex).find("\\dot{\\theta}_{12} & -\\frac{1}{3} & -\\frac{2}{3} & 0") !=
+        std::string::npos);
+    QVERIFY(resultText(*s, TableFormat::matlab).find("S = [\n  -1/2 0 0\n") != std::string::npos);
+    // Decimals that read back as the same double.
+    QVERIFY(resultText(*table("solution", EntryForm::decimals), TableFormat::numpy)
+                .find("[-0.3333333333333333, -0.6666666666666666, 0]") != std::string::npos);
+    QVERIFY(resultText(*table("screw", EntryForm::decimals), TableFormat::csv)
+                .starts_with("U,L,M,N,P,Q,R\nC15 8,"));
   }
 
   void csvIsWrittenAsSpreadsheetsWantIt() {
-    const auto csvOf = [](const QuantityTable& of, const CsvOptions& options) {
+    const auto csvOf = [](const ResultTable& of, const CsvOptions& options) {
       TextSink sink;
-      writeQuantityCsv(sink, of, options);
+      writeResultCsv(sink, of, options, CsvEntries::asShown);
       return sink.take();
     };
-    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::decimals);
-    QCOMPARE(csvOf(*s, {}), quantityCsv(*s));
+    const ResultTablePtr s = table("solution", EntryForm::decimals);
+    QCOMPARE(csvOf(*s, {}), resultText(*s, TableFormat::csv));
     QVERIFY(csvOf(*s, {';', ',', true, true}).starts_with("\xEF\xBB\xBFS;8;9;11\n10;-0,5;0;0\n"));
     QVERIFY(csvOf(*s, {'\t', '.', false, false}).starts_with("-0.5\t0\t0\n"));
     QVERIFY(csvOf(*s, {',', ',', false, false}).starts_with("\"-0,5\",0,0\n"));
-    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
-    QCOMPARE(csvOf(*p, {',', ',', true, false}), quantityCsv(*p));
+    const ResultTablePtr p = table("p", EntryForm::symbols);
+    QCOMPARE(csvOf(*p, {',', ',', true, false}), resultText(*p, TableFormat::csv));
   }
 
   void whatIsNotThereYetIsNotShown() {
-    QVERIFY(quantityTable(live, QuantityKind::solution, EntryForm::decimals) != nullptr);
-    QVERIFY(quantityTable(live, QuantityKind::solution, EntryForm::fractions) == nullptr);
-    QVERIFY(quantityTable(live, QuantityKind::coefficients, EntryForm::symbols) != nullptr);
+    QVERIFY(tableOf(live, "solution", EntryForm::decimals) != nullptr);
+    QVERIFY(tableOf(live, "solution", EntryForm::fractions) == nullptr);
+    QVERIFY(tableOf(live, "p", EntryForm::symbols) != nullptr);
     const SnapshotPtr empty = analyzeLive(std::make_shared<const Mechanism>(emptyMechanism()));
-    for (const QuantityKind kind : allQuantityKinds()) {
-      const QuantityTablePtr none = quantityTable(empty, kind, EntryForm::decimals);
+    for (const NamedResult* result : namedResults()) {
+      const ResultTablePtr none = resultTable(*result, {empty}, EntryForm::decimals);
       QVERIFY(!none || none->rows() == 0);
     }
     Mechanism loose = *withLink(robot(), {0, 0});
     const SnapshotPtr broken = analyzeLive(std::make_shared<const Mechanism>(std::move(loose)));
-    for (const QuantityKind kind : allQuantityKinds()) QVERIFY(formsOf(*broken, kind).empty());
+    for (const NamedResult* result : namedResults())
+      if (result->of != ResultOf::graph) QVERIFY2(result->forms({broken}).empty(), result->name.data());
   }
 
   void rootsAreSaidToBeRounded() {
@@ -242,14 +247,14 @@ class QuantityTableTest : public QObject {
     const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(bevel)));
     QVERIFY2(snapshot->matroid() != nullptr,
              snapshot->diagnostics.empty() ? "" : snapshot->diagnostics.front().message.c_str());
-    const QuantityTablePtr u = quantityTable(snapshot, QuantityKind::screws, EntryForm::fractions);
+    const ResultTablePtr u = tableOf(snapshot, "screw", EntryForm::fractions);
     QCOMPARE(QString::fromStdString(u->entry(0, 0)->text), QString("≈ 0.707107"));
-    QVERIFY(quantityCsv(*u).find("0.7071067811865") != std::string::npos);
-    QVERIFY(quantityCsv(*u).find("≈") == std::string::npos);
+    QVERIFY(resultText(*u, TableFormat::csv).find("0.7071067811865") != std::string::npos);
+    QVERIFY(resultText(*u, TableFormat::csv).find("≈") == std::string::npos);
   }
 };
 
 }  // namespace geargraph
 
-QTEST_GUILESS_MAIN(geargraph::QuantityTableTest)
-#include "test_quantity_table.moc"
+QTEST_GUILESS_MAIN(geargraph::ResultTablesTest)
+#include "test_result_tables.moc"
