@@ -282,7 +282,8 @@ class Edits(ShiftEdits):
         after = self._document.with_links_merged(kept, gone)
         kept = gone if gone == self._id(Link, 0) else kept
         self._document = after
-        return Link(self, kept)
+        mechanism: Any = self
+        return Link(mechanism, kept)
 
     def split_link(
         self, link: LinkLike, *elements: Union[TurningJoint, GearMesh, Coupling]
@@ -310,7 +311,7 @@ class Edits(ShiftEdits):
         Error
             "schema" for the ground, for elements of other links, and if nothing would stay or go.
         """
-        names = [element.element for element in elements]
+        names: List[Tuple[str, str]] = [element.element for element in elements]
         self._document = self._document.with_link_split(self._id(Link, link), names)
         return self._last(Link)
 
