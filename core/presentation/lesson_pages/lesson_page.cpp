@@ -148,8 +148,9 @@ class LessonPage {
         ReportParagraph{writtenWords(page.question ? page.question->prompt : step.prompt)}};
     if (page.question) addWrittenFormula(task, page.question->formula, PaperEquation::none);
     const std::string view = translated(kViewTitles[static_cast<std::size_t>(step.view)]);
-    std::string html = "<article class=\"question step" + std::string(page.isFresh ? " fresh" : "") +
-                       "\" aria-labelledby=\"" + name + "\">\n<h2 id=\"" + name + "\">" +
+    const char* begin =
+        page.isFresh ? "<article class=\"question step fresh\"" : "<article class=\"question step\"";
+    std::string html = std::string(begin) + " aria-labelledby=\"" + name + "\">\n<h2 id=\"" + name + "\">" +
                        escapedXml(step.title) + "</h2>\n<div class=\"told\">" + reportHtmlBlocks(text) +
                        "</div>\n" + figure(page.drawing, view) + "<div class=\"task\">" +
                        reportHtmlBlocks(task);
