@@ -37,7 +37,7 @@ bool isFiller(const QString& word) {
 
 /// "to", "and", or what parts two numbers of a ratio.
 bool isBetween(const QString& word) {
-  static const std::array kEnglish = {"to", "and", "against"};
+  static const std::array kEnglish = {"to", "and", "against", ":"};
   const auto isIt = [&](const char* each) { return word == QLatin1String(each); };
   return std::any_of(kEnglish.begin(), kEnglish.end(), isIt) ||
          foldedText(tr("to and against")).split(QLatin1Char(' ')).contains(word);
@@ -45,7 +45,7 @@ bool isBetween(const QString& word) {
 
 QStringList wordsAndMarks(const QString& query) {
   QString text = foldedText(query);
-  for (const char mark : {':', '/', ','}) text.replace(QLatin1Char(mark), QStringLiteral(" to "));
+  for (const char mark : {':', '/', ','}) text.replace(QLatin1Char(mark), QStringLiteral(" : "));
   return text.split(QRegularExpression(QStringLiteral("\\s+")), Qt::SkipEmptyParts);
 }
 
