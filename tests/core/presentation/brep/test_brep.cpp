@@ -303,6 +303,9 @@ class BrepTest : public QObject {
     QVERIFY(back.has_value());
     QCOMPARE(packedAssembly(*back), bytes);
     QCOMPARE(back->parts[1].solids[0].faces.size(), assembly.parts[1].solids[0].faces.size());
+    QCOMPARE(back->name, assembly.name);
+    QCOMPARE(back->nodes[1].parent, 0);
+    QVERIFY(back->nodes[0].pose.isApprox(link.pose) && back->parts[0].colour == assembly.parts[0].colour);
     for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97)
       QVERIFY(!unpackedAssembly(std::string_view(bytes).substr(0, size)));
     QVERIFY(!unpackedAssembly(bytes + ' '));
