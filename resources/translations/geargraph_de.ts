@@ -3010,6 +3010,30 @@
         <translation>Mit Bildern…</translation>
     </message>
     <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Gear trains</source>
+        <translation>Zahnradgetriebe</translation>
+    </message>
+    <message>
+        <source>Gearboxes</source>
+        <translation>Schaltgetriebe</translation>
+    </message>
+    <message>
+        <source>Clocks</source>
+        <translation>Uhren</translation>
+    </message>
+    <message>
+        <source>Not as they should be</source>
+        <translation>Nicht wie sie sein sollten</translation>
+    </message>
+    <message>
+        <source>Kinds of examples</source>
+        <translation>Arten von Beispielen</translation>
+    </message>
+    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>

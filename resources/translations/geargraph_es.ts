@@ -3010,6 +3010,30 @@
         <translation>Con imágenes…</translation>
     </message>
     <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Gear trains</source>
+        <translation>Trenes de engranajes</translation>
+    </message>
+    <message>
+        <source>Gearboxes</source>
+        <translation>Cajas de cambios</translation>
+    </message>
+    <message>
+        <source>Clocks</source>
+        <translation>Relojes</translation>
+    </message>
+    <message>
+        <source>Not as they should be</source>
+        <translation>No como deberían ser</translation>
+    </message>
+    <message>
+        <source>Kinds of examples</source>
+        <translation>Clases de ejemplos</translation>
+    </message>
+    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Editar</translation>
     </message>

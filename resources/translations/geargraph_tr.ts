@@ -3008,6 +3008,30 @@
         <translation>Resimlerle…</translation>
     </message>
     <message>
+        <source>Robots</source>
+        <translation>Robotlar</translation>
+    </message>
+    <message>
+        <source>Gear trains</source>
+        <translation>Dişli takımları</translation>
+    </message>
+    <message>
+        <source>Gearboxes</source>
+        <translation>Vites kutuları</translation>
+    </message>
+    <message>
+        <source>Clocks</source>
+        <translation>Saatler</translation>
+    </message>
+    <message>
+        <source>Not as they should be</source>
+        <translation>Olması gerektiği gibi olmayanlar</translation>
+    </message>
+    <message>
+        <source>Kinds of examples</source>
+        <translation>Örnek türleri</translation>
+    </message>
+    <message>
         <source>&amp;Edit</source>
         <translation>D&amp;üzen</translation>
     </message>

@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QThreadPool>
 #include <QTimer>
+#include <algorithm>
 
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
@@ -130,22 +131,40 @@ std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& 
   return reason(writeFile(nativePath(path), writeMechanism(mechanism)));
 }
 
-QStringList examplePaths() {
-  // From the simple to the strange; what is not named here comes last.
+std::vector<ExampleGroup> exampleGroups() {
+  // From the simple to the strange. What is named nowhere comes last.
   const QDir examples(QStringLiteral(":/examples"));
-  QStringList paths{robotExamplePath()};
-  for (const char* name :
-       {"spur-pair", "reverted-train", "helical-reverted-train", "planetary-ring-held", "three-planets",
-        "bevel-differential", "simpson", "ravigneaux", "prius-power-split", "worm-hoist",
-        "eight-speed-gearbox", "humpage-reduction", "bevel-wrist", "three-roll-wrist", "ferguson-paradox",
-        "redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"}) {
-    const QString path = examples.filePath(QLatin1String(name) + QStringLiteral(".geargraph"));
-    if (QFile::exists(path)) paths << path;
-  }
+  const auto pathsOf = [&](std::initializer_list<const char*> names) {
+    QStringList paths;
+    for (const char* name : names) {
+      const QString path = examples.filePath(QLatin1String(name) + QStringLiteral(".geargraph"));
+      if (QFile::exists(path)) paths << path;
+    }
+    return paths;
+  };
+  std::vector<ExampleGroup> groups{
+      {QCoreApplication::translate("DocumentFiles", "Robots"),
+       pathsOf({"robot", "bevel-wrist", "three-roll-wrist"})},
+      {QCoreApplication::translate("DocumentFiles", "Gear trains"),
+       pathsOf({"spur-pair", "reverted-train", "helical-reverted-train", "planetary-ring-held",
+                "three-planets", "bevel-differential", "humpage-reduction", "ferguson-paradox"})},
+      {QCoreApplication::translate("DocumentFiles", "Gearboxes"),
+       pathsOf({"simpson", "ravigneaux", "eight-speed-gearbox", "prius-power-split", "three-speed-hub",
+                "wind-turbine-gearbox", "hoist-reducer", "worm-hoist"})},
+      {QCoreApplication::translate("DocumentFiles", "Clocks"), pathsOf({"mantel-clock", "antikythera"})},
+      {QCoreApplication::translate("DocumentFiles", "Not as they should be"),
+       pathsOf({"redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"})}};
   for (const QString& name : examples.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {
     const QString path = examples.filePath(name);
-    if (!paths.contains(path)) paths << path;
+    const auto hasIt = [&](const ExampleGroup& group) { return group.paths.contains(path); };
+    if (std::none_of(groups.begin(), groups.end(), hasIt)) groups.back().paths << path;
   }
+  return groups;
+}
+
+QStringList examplePaths() {
+  QStringList paths;
+  for (const ExampleGroup& group : exampleGroups()) paths << group.paths;
   return paths;
 }
 

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
@@ -36,8 +37,17 @@ namespace geargraph {
 /// Writes the file atomically. std::nullopt on success, else the reason.
 [[nodiscard]] std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path);
 
-/// The examples that come with the program, as paths of its resources: the paper's robot first, then from
-/// simple to unusual ones.
+/// Examples of one kind, as the start page and File > Open example group them.
+struct ExampleGroup {
+  QString title;
+  QStringList paths;
+};
+
+/// All examples of the program, each in one group, in the language of the window.
+[[nodiscard]] std::vector<ExampleGroup> exampleGroups();
+
+/// The examples that come with the program, as paths of its resources, group by group: the paper's robot
+/// first.
 [[nodiscard]] QStringList examplePaths();
 [[nodiscard]] QString robotExamplePath();
 /// The title of an example, read off the beginning of its file; the name of the file where it has none.

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QStandardItemModel>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QToolBar>
 
 #include "ui/mainwindow/document_card.h"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr int kSideWidth = 320;
 constexpr int kMargin = 28;
+constexpr int kGroupRole = Qt::UserRole + 100;  ///< of an example: the tab of its group
 
 /// What the notes of an example say first.
 QString firstSentence(const QString& notes) {
@@ -124,6 +126,15 @@ QWidget* StartPage::makeExamples() {
   layout->setContentsMargins(kMargin, kMargin, kMargin / 2, 0);
   layout->setSpacing(10);
   layout->addWidget(heading(tr("Examples"), right));
+  m_groups = new QTabBar(right);
+  m_groups->setObjectName(QStringLiteral("startGroups"));
+  m_groups->setAccessibleName(tr("Kinds of examples"));
+  m_groups->setDrawBase(false);
+  m_groups->setExpanding(false);
+  m_groups->addTab(tr("All"));
+  for (const ExampleGroup& group : exampleGroups()) m_groups->addTab(group.title);
+  connect(m_groups, &QTabBar::currentChanged, this, &StartPage::showGroup);
+  layout->addWidget(m_groups);
   m_examples = makeList("startExamples", m_exampleModel);
   m_examples->setItemDelegate(new DocumentCard(DocumentCard::Form::upright, m_examples));
   m_examples->setViewMode(QListView::IconMode);
@@ -152,20 +163,37 @@ void StartPage::fill() {
   fillRecent();
   const Theme theme = themeOf(palette());
   if (m_exampleModel->rowCount() == 0) {
-    for (const QString& path : examplePaths()) {
-      const Expected<Mechanism> mechanism = readDocument(path);
-      if (!mechanism) continue;  // tests read every one
-      auto* item = new QStandardItem(shownText(mechanism->name));
-      const QString note = firstSentence(shownText(mechanism->notes));
-      item->setData(path, kPathRole);
-      item->setData(note, kNoteRole);
-      item->setToolTip(QStringLiteral("%1\n%2").arg(item->text(), note));
-      m_exampleModel->appendRow(item);
+    int number = 0;
+    for (const ExampleGroup& group : exampleGroups()) {
+      ++number;
+      for (const QString& path : group.paths) addExample(path, number);
     }
+    showGroup(m_groups->currentIndex());
   }
   for (int i = 0; i < m_exampleModel->rowCount(); ++i) {
     m_thumbnails->draw(m_exampleModel->item(i)->data(kPathRole).toString(), theme);
   }
+}
+
+void StartPage::addExample(const QString& path, int group) {
+  const Expected<Mechanism> mechanism = readDocument(path);
+  if (!mechanism) return;  // tests read every one
+  auto* item = new QStandardItem(shownText(mechanism->name));
+  const QString note = firstSentence(shownText(mechanism->notes));
+  item->setData(path, kPathRole);
+  item->setData(note, kNoteRole);
+  item->setData(group, kGroupRole);
+  item->setToolTip(QStringLiteral("%1\n%2").arg(item->text(), note));
+  m_exampleModel->appendRow(item);
+}
+
+void StartPage::showGroup(int group) {
+  for (int i = 0; i < m_exampleModel->rowCount(); ++i) {
+    const bool isOfIt = group == 0 || m_exampleModel->item(i)->data(kGroupRole).toInt() == group;
+    m_examples->setRowHidden(i, !isOfIt);
+  }
+  m_examples->clearSelection();
+  m_examples->scrollToTop();
 }
 
 void StartPage::fillRecent() {

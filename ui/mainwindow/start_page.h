@@ -5,6 +5,7 @@
 class QLabel;
 class QListView;
 class QStandardItemModel;
+class QTabBar;
 
 namespace geargraph {
 
@@ -43,6 +44,9 @@ class StartPage : public QWidget {
   QWidget* makeExamples();
   QListView* makeList(const char* name, QStandardItemModel* model);
   void fill();
+  void addExample(const QString& path, int group);
+  /// Hides the examples of other groups; 0 shows all.
+  void showGroup(int group);
   void fillRecent();
   void fitWindow();
 
@@ -51,6 +55,7 @@ class StartPage : public QWidget {
   QStandardItemModel* m_exampleModel;
   QListView* m_recent;
   QListView* m_examples;
+  QTabBar* m_groups;
   QLabel* m_noRecent;
   bool m_withRecent = true;
 };

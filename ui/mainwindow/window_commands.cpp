@@ -74,11 +74,15 @@ void MainWindow::makeMenus() {
   file->addActions(a.of({newDocument, newWindow, startPage, open}));
   file->addMenu(m_recent);
   QMenu* examples = file->addMenu(tr("Open e&xample"));
-  for (const QString& path : examplePaths()) {
-    QAction* example =
-        examples->addAction(exampleTitle(path), this, [this, path] { m_files->openByUser(path); });
-    example->setObjectName(QStringLiteral("example.") + QFileInfo(path).completeBaseName());
-    example->setProperty(kSearchWords, QFileInfo(path).completeBaseName());
+  for (const ExampleGroup& group : exampleGroups()) {
+    examples->addSection(group.title);
+    for (const QString& path : group.paths) {
+      QAction* example =
+          examples->addAction(exampleTitle(path), this, [this, path] { m_files->openByUser(path); });
+      example->setObjectName(QStringLiteral("example.") + QFileInfo(path).completeBaseName());
+      example->setProperty(kSearchWords,
+                           QString(QFileInfo(path).completeBaseName() + QLatin1Char(' ') + group.title));
+    }
   }
   examples->addSeparator();
   examples->addAction(tr("With pictures…"), this, [this] { showStartPage(); })

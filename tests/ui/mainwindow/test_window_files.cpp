@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSemaphore>
+#include <QTabBar>
 #include <QTemporaryFile>
 #include <QTest>
 #include <QTimer>
@@ -15,6 +16,8 @@
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_card.h"
+#include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
@@ -98,6 +101,31 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     QVERIFY(page.isHidden());
     QCOMPARE(first().files().source(), examplePaths().at(1));
     QVERIFY(first().document().mechanism()->n() > 0);
+  }
+
+  void theStartPageShowsOneGroupOfExamples() {
+    set->start({});
+    StartPage& page = first().startPage();
+    auto* tabs = page.findChild<QTabBar*>(QStringLiteral("startGroups"));
+    const std::vector<ExampleGroup> groups = exampleGroups();
+    QVERIFY(groups.size() >= 4);
+    QCOMPARE(tabs->count(), int(groups.size()) + 1);
+    const auto shown = [&] {
+      QStringList paths;
+      for (int i = 0; i < page.examples().model()->rowCount(); ++i) {
+        if (!page.examples().isRowHidden(i))
+          paths << page.examples().model()->index(i, 0).data(kPathRole).toString();
+      }
+      return paths;
+    };
+    QCOMPARE(shown(), examplePaths());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      tabs->setCurrentIndex(int(g) + 1);
+      QVERIFY(!groups[g].paths.isEmpty());
+      QCOMPARE(shown(), groups[g].paths);
+    }
+    tabs->setCurrentIndex(0);
+    QCOMPARE(shown(), examplePaths());
   }
 
   void drawingPutsTheStartPageAway() {
