@@ -9,14 +9,10 @@
 #include <iostream>
 #include <new>
 
-#ifdef __linux__
-#include <sys/personality.h>
-#include <unistd.h>
-#endif
-
 #include "app/step/occ_file.h"
 #include "core/foundations/files/byte_sink.h"
 #include "core/foundations/files/file.h"
+#include "core/foundations/platform/fixed_addresses.h"
 #include "core/foundations/sandbox/sandbox.h"
 #include "core/presentation/step/step_process.h"
 
@@ -70,23 +66,12 @@ int run(int count, char** words) {
   }
 }
 
-/// OpenCASCADE puts some of a file in the order of addresses, which are the same in each run without their
-/// randomisation; what it reads is the parent's own.
-void fixAddresses(char** words) {
-#ifdef __linux__
-  constexpr unsigned long kAsk = 0xffffffff;
-  const int now = ::personality(kAsk);
-  if (now == -1 || (now & ADDR_NO_RANDOMIZE) != 0) return;
-  if (::personality(static_cast<unsigned long>(now) | ADDR_NO_RANDOMIZE) != -1)
-    ::execv("/proc/self/exe", words);
-#endif
-}
-
 }  // namespace
 }  // namespace geargraph
 
 // Ends without destructors: the system takes everything back at once.
 int main(int count, char** words) {
-  geargraph::fixAddresses(words);
+  // OpenCASCADE puts some of a file in the order of addresses; what it reads is the parent's own.
+  geargraph::restartWithFixedAddresses(words);
   std::_Exit(geargraph::run(count, words));
 }

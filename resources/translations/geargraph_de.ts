@@ -2847,7 +2847,7 @@
     </message>
     <message>
         <source>N&amp;ames and teeth</source>
-        <translation>N&amp;amen und Zähnezahlen</translation>
+        <translation>Na&amp;men und Zähnezahlen</translation>
     </message>
     <message>
         <source>Nodes keep to a grid; Alt suspends it</source>
@@ -3020,10 +3020,6 @@
     <message>
         <source>Gearboxes</source>
         <translation>Schaltgetriebe</translation>
-    </message>
-    <message>
-        <source>Clocks</source>
-        <translation>Uhren</translation>
     </message>
     <message>
         <source>Not as they should be</source>

@@ -2731,7 +2731,7 @@
     </message>
     <message>
         <source>Sp&amp;lit the link</source>
-        <translation>Di&amp;vidir el eslabón</translation>
+        <translation>Dividir &amp;el eslabón</translation>
     </message>
     <message>
         <source>The two selected links become one, which two gear sets then share; axes on one carrier become one line</source>
@@ -2739,7 +2739,7 @@
     </message>
     <message>
         <source>&amp;Weld links</source>
-        <translation>S&amp;oldar eslabones</translation>
+        <translation>Sol&amp;dar eslabones</translation>
     </message>
     <message>
         <source>A new gear in mesh with the selected one, on the same carrier</source>
@@ -3020,10 +3020,6 @@
     <message>
         <source>Gearboxes</source>
         <translation>Cajas de cambios</translation>
-    </message>
-    <message>
-        <source>Clocks</source>
-        <translation>Relojes</translation>
     </message>
     <message>
         <source>Not as they should be</source>

@@ -2729,7 +2729,7 @@
     </message>
     <message>
         <source>Sp&amp;lit the link</source>
-        <translation>Uzvu &amp;böl</translation>
+        <translation>&amp;Uzvu böl</translation>
     </message>
     <message>
         <source>The two selected links become one, which two gear sets then share; axes on one carrier become one line</source>
@@ -2737,7 +2737,7 @@
     </message>
     <message>
         <source>&amp;Weld links</source>
-        <translation>Uzuvları &amp;kaynakla</translation>
+        <translation>Uzuvları kay&amp;nakla</translation>
     </message>
     <message>
         <source>A new gear in mesh with the selected one, on the same carrier</source>
@@ -3018,10 +3018,6 @@
     <message>
         <source>Gearboxes</source>
         <translation>Vites kutuları</translation>
-    </message>
-    <message>
-        <source>Clocks</source>
-        <translation>Saatler</translation>
     </message>
     <message>
         <source>Not as they should be</source>

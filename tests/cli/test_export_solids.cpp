@@ -187,7 +187,7 @@ class ExportSolidsTest : public QObject {
     QCOMPARE(exported("glb", out, {"--animate", "-1"}).status, 2);
     QCOMPARE(exported("assembly", out, {"--frames", "11"}).status, 2);
     QCOMPARE(exported("assembly", "-").status, 2);
-    QCOMPARE(exported("step", out).status, 2);
+    QCOMPARE(exported("iges", out).status, 2);
     QCOMPARE(run({"export", kRobot, "--to", "stl"}).status, 2);
     QVERIFY(QDir(folder.path()).isEmpty());
   }

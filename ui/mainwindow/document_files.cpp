@@ -150,8 +150,7 @@ std::vector<ExampleGroup> exampleGroups() {
                 "three-planets", "bevel-differential", "humpage-reduction", "ferguson-paradox"})},
       {QCoreApplication::translate("DocumentFiles", "Gearboxes"),
        pathsOf({"simpson", "ravigneaux", "eight-speed-gearbox", "prius-power-split", "three-speed-hub",
-                "wind-turbine-gearbox", "hoist-reducer", "worm-hoist"})},
-      {QCoreApplication::translate("DocumentFiles", "Clocks"), pathsOf({"mantel-clock", "antikythera"})},
+                "hoist-reducer", "worm-hoist"})},
       {QCoreApplication::translate("DocumentFiles", "Not as they should be"),
        pathsOf({"redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"})}};
   for (const QString& name : examples.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {

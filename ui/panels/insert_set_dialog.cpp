@@ -102,41 +102,42 @@ SetForm* rvForm() {
 }  // namespace
 
 std::vector<InsertableSet> insertableSets() {
-  const auto name = [](const char* text) { return InsertSetDialog::tr(text); };
   return {
-      {"planetary", name("Planetary set"), []() -> SetForm* { return new PlanetaryForm; },
+      {"planetary", InsertSetDialog::tr("Planetary set"), []() -> SetForm* { return new PlanetaryForm; },
        [] {
          return planetarySet({24, 18}, 3, PlanetaryUse{});
        }},
-      {"reverted", name("Reverted train"), []() -> SetForm* { return new RevertedForm; },
+      {"reverted", InsertSetDialog::tr("Reverted train"), []() -> SetForm* { return new RevertedForm; },
        [] {
          return revertedTrain({20, 40, 20, 40});
        }},
-      {"differential", name("Bevel differential"), &differentialForm,
+      {"differential", InsertSetDialog::tr("Bevel differential"), &differentialForm,
        [] { return bevelDifferentialSet(24, 18, 2); }},
-      {"ravigneaux", name("Ravigneaux set"), &ravigneauxForm,
+      {"ravigneaux", InsertSetDialog::tr("Ravigneaux set"), &ravigneauxForm,
        [] {
          return ravigneauxSet({30, 36, 20, 18}, 3);
        }},
-      {"simpson", name("Simpson set"), &simpsonForm,
+      {"simpson", InsertSetDialog::tr("Simpson set"), &simpsonForm,
        [] {
          return simpsonSet({33, 21}, 3);
        }},
-      {"wrist", name("Bevel wrist"), &wristForm,
+      {"wrist", InsertSetDialog::tr("Bevel wrist"), &wristForm,
        [] {
          return bevelWrist({20, 30, 25, 40, 24, 18});
        }},
-      {"worm", name("Worm stage"), &wormForm,
+      {"worm", InsertSetDialog::tr("Worm stage"), &wormForm,
        [] {
          return wormStage({1, 40});
        }},
-      {"belt", name("Belt drive"), &beltForm,
+      {"belt", InsertSetDialog::tr("Belt drive"), &beltForm,
        [] {
          return beltStage({20, 40});
        }},
-      {"strainWave", name("Strain wave drive"), &strainWaveForm, [] { return strainWave(200, 202); }},
-      {"cycloidal", name("Cycloidal drive"), &cycloidalForm, [] { return cycloidalDrive(16); }},
-      {"rv", name("RV reducer"), &rvForm, [] { return rvReducer(12, 36, 40); }},
+      {"strainWave", InsertSetDialog::tr("Strain wave drive"), &strainWaveForm,
+       [] { return strainWave(200, 202); }},
+      {"cycloidal", InsertSetDialog::tr("Cycloidal drive"), &cycloidalForm,
+       [] { return cycloidalDrive(16); }},
+      {"rv", InsertSetDialog::tr("RV reducer"), &rvForm, [] { return rvReducer(12, 36, 40); }},
   };
 }
 

@@ -41,7 +41,7 @@ QWidget* DerivationPanel::makeBar() {
   m_sections = new QComboBox(bar);
   m_sections->setObjectName(QStringLiteral("derivationSections"));
   m_sections->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_sections->setMinimumContentsLength(24);
+  m_sections->setMinimumContentsLength(16);
   m_sections->setToolTip(tr("The sections of the derivation"));
   m_export = new QToolButton(bar);
   m_export->setText(tr("Export…"));

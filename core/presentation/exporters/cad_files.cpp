@@ -45,7 +45,7 @@ ExportError errorOf(const ExportContext& context, const StepFailure& why) {
       context.tell(why.diagnostics);
       return {ExportError::Kind::mechanism, {}, kGearsRefusal.code};
     case StepFailure::Kind::nothing:
-      return {ExportError::Kind::usage, translated("There are no solids to write.")};
+      return {ExportError::Kind::mechanism, translated("There are no solids to write."), kGearsRefusal.code};
     case StepFailure::Kind::tooLarge:
       break;
   }

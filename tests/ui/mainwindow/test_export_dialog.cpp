@@ -256,9 +256,10 @@ class ExportDialogTest : public QObject {
     QVERIFY(QFile::remove(path));
     auto* menu = window->findChild<RecentExports*>();
     QVERIFY(menu != nullptr);
-    const auto again = std::find_if(menu->actions().begin(), menu->actions().end(),
+    const QList<QAction*> entries = menu->actions();
+    const auto again = std::find_if(entries.begin(), entries.end(),
                                     [](const QAction* each) { return each->text().startsWith("told.dot"); });
-    QVERIFY(again != menu->actions().end());
+    QVERIFY(again != entries.end());
     (*again)->trigger();
     QVERIFY(written.wait(60'000));
     QVERIFY(QFileInfo(path).size() > 0);

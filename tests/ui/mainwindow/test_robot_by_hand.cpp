@@ -6,6 +6,7 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/panels/matrices_panel.h"
 
@@ -115,6 +116,9 @@ class RobotByHandTest : public QObject {
       QCOMPARE(fields.takeFirst(), QStringLiteral("C%1").arg(15 + i));
       QCOMPARE(fields.join(QLatin1Char(' ')), rows.at(i));
     }
+    QVERIFY(window->notices().current() != nullptr);  // it is told above the drawing
+    window->notices().withdraw(QString(window->notices().current()->key));
+    QTRY_VERIFY(!window->notices().isVisible());
   }
 
   void theColumnOfAMeshIsShownWhileItIsDrawn() {

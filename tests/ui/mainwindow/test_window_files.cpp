@@ -108,7 +108,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     StartPage& page = first().startPage();
     auto* tabs = page.findChild<QTabBar*>(QStringLiteral("startGroups"));
     const std::vector<ExampleGroup> groups = exampleGroups();
-    QVERIFY(groups.size() >= 4);
+    QVERIFY(groups.size() >= 3);
     QCOMPARE(tabs->count(), int(groups.size()) + 1);
     const auto shown = [&] {
       QStringList paths;
