@@ -40,7 +40,7 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double kSharp = 1e-7;  // OpenCASCADE's own least tolerance, mm
-constexpr int kSamples = 8;      // of a spline between two knots
+constexpr int kSamples = 8;      // places on a spline between two knots
 
 gp_Pnt pointOf(const Vector3d& v) {
   return {v.x(), v.y(), v.z()};

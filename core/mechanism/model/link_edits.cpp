@@ -594,7 +594,7 @@ class Weld {
   }
 
   void dropEqualMeshes() {
-    std::vector<GearMesh> seen;  // of the merged link
+    std::vector<GearMesh> seen;  // meshes of the merged link
     std::erase_if(m_result.gearMeshes, [&](const GearMesh& mesh) {
       if (mesh.tail != m_kept && mesh.head != m_kept) return false;
       GearMesh nameless = mesh;

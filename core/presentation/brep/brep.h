@@ -16,8 +16,8 @@ namespace geargraph {
 /// Straight between its vertices.
 struct LineCurve {};
 
-/// Of a circle, counter-clockwise about `axis` (unit vector) from the first vertex to the second; the whole
-/// circle where these are the same.
+/// An arc of a circle, counter-clockwise about `axis` (unit vector) from the first vertex to the second; the
+/// whole circle where these are the same.
 struct ArcCurve {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();

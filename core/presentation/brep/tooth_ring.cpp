@@ -39,7 +39,7 @@ ExactCurve curveOf(const std::vector<OutlinePoint>& outline, std::size_t from, s
 }
 
 Half halfOf(const GearSpec& spec, double deviation) {
-  constexpr double kDense = 0.01;  // of the deviation: chords of the points that splines are held against
+  constexpr double kDense = 0.01;  // share of the deviation that chords between checked points have
   const HalfTooth tooth = toothOf(spec, kDense * deviation / spec.module);
   const auto faces = wheelForm(spec).toothFaces;
   const std::vector<OutlinePoint> outline = (faces != nullptr ? faces : cylinderFaces)(tooth, spec);

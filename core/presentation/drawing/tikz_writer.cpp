@@ -34,7 +34,7 @@ class TikzWriter {
            ";\n";
   }
   std::string operator()(const Text& text) {
-    constexpr double kNormalSize = 10;  // of the document's words, points
+    constexpr double kNormalSize = 10;  // size of the document's words, points
     return "\\node[" + colorNamed(text.tint) +
            ",inner sep=0pt,scale=" + sheetNumber(text.size * m_points / kNormalSize) + "] at " +
            pair(text.center) + " {\\sffamily" + (text.bold ? "\\bfseries{}" : "{}") +

@@ -37,7 +37,7 @@ constexpr std::string_view kSettings = R"(\setcounter{MaxMatrixCols}{50}
   \usebox{\fitbox}}
 )";
 
-// Of a page, in em: 10 pt.
+// Sizes of a page, in em of 10 pt.
 constexpr double kPageWidth = 48;
 constexpr double kPageHeight = 73;
 constexpr double kFormulaWidth = 43;  ///< that leaves room for the number, and for measures that differ
