@@ -11,8 +11,8 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/translation.h"
-#include "core/presentation/export_api/analysis_json.h"
 #include "core/presentation/exporters/input_options.h"
+#include "core/presentation/result_json/analysis_json.h"
 
 namespace geargraph::cli {
 namespace {

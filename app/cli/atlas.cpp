@@ -264,7 +264,7 @@ const Command kAtlas = {
     .summary = toTranslate("Counts and lists geared kinematic chains; writes one as a document."),
     .options = kAtlasOptions,
     .run = runAtlas,
-    .servedInput = ServedInput::number,
+    .servedInput = MethodInput::number,
     .unserved = kAtlasUnserved};
 
 }  // namespace geargraph::cli

@@ -11,7 +11,7 @@
 #include "app/cli/text_table.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/translation.h"
-#include "core/presentation/export_api/lost_motion_report.h"
+#include "core/presentation/result_json/lost_motion_report.h"
 
 namespace geargraph::cli {
 namespace {

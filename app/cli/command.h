@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
+#include "core/presentation/requests/request_server.h"
 
 namespace geargraph::cli {
 
@@ -16,15 +17,6 @@ enum ExitStatus {
   kMechanismErrors = 1,  ///< the mechanism has errors
   kUsageOrFile = 2,      ///< wrong usage, or a file that could not be read or written
   kResourceLimit = 3,    ///< a given resource limit was exceeded
-};
-
-/// What a command reads as a method of `serve`.
-enum class ServedInput {
-  document,         ///< one that is open
-  documentAndWish,  ///< also a wish, which is a member of the request
-  twoDocuments,     ///< maybe another one, after --with
-  wish,
-  number  ///< of a chain of the atlas, or nothing
 };
 
 /// A command of the command line. It writes results to standard output, everything else to standard error.
@@ -37,7 +29,7 @@ struct Command {
   bool limitsItself = false;        ///< --limit-seconds does not apply to the whole command
   bool isServed = true;             ///< also a method of `serve`
   std::string (*more)() = nullptr;  ///< what the help says after the options, with an empty line before it
-  ServedInput servedInput = ServedInput::document;
+  MethodInput servedInput = MethodInput::document;  ///< what it reads as a method of `serve`
   std::span<const std::string_view> unserved = {};  ///< options that would read or write files
 };
 

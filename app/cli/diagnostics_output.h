@@ -7,7 +7,7 @@
 #include "core/design/collision/motion_diagnostics.h"
 #include "core/foundations/base/diagnostic.h"
 #include "core/foundations/files/json_writer.h"
-#include "core/presentation/export_api/diagnostics_json.h"
+#include "core/presentation/result_json/diagnostics_json.h"
 
 namespace geargraph::cli {
 

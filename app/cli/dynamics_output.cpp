@@ -5,7 +5,7 @@
 #include "app/cli/text_table.h"
 #include "core/foundations/base/readable.h"
 #include "core/foundations/base/translation.h"
-#include "core/presentation/export_api/diagnostics_json.h"
+#include "core/presentation/result_json/diagnostics_json.h"
 #include "core/theory/dynamics/motion_table.h"
 
 namespace geargraph::cli {

@@ -245,7 +245,7 @@ const Command kGearbox = {
     false,
     true,
     nullptr,
-    ServedInput::wish,
+    MethodInput::wish,
     kGearboxUnserved};
 
 }  // namespace geargraph::cli

@@ -131,6 +131,6 @@ const Command kHardware = {"hardware",
                            false,
                            true,
                            nullptr,
-                           ServedInput::wish};
+                           MethodInput::wish};
 
 }  // namespace geargraph::cli

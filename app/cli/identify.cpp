@@ -333,7 +333,7 @@ const Command kIdentify = {.name = "identify",
                            .summary = toTranslate("Which chains of the atlas a train is made of."),
                            .options = kIdentifyOptions,
                            .run = runIdentify,
-                           .servedInput = ServedInput::twoDocuments,
+                           .servedInput = MethodInput::twoDocuments,
                            .unserved = kIdentifyUnserved};
 
 }  // namespace geargraph::cli

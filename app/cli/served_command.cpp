@@ -92,10 +92,10 @@ bool waitFor(pid_t child, const std::optional<double>& seconds) {
 
 }  // namespace
 
-ServedOutcome runServed(const Command& command, std::vector<std::string> words, const ServedTexts& texts,
+HostedOutcome runServed(const Command& command, std::vector<std::string> words, const HostedTexts& texts,
                         const ServedLimits& limits) {
   const MemoryFile input("input"), second("second"), output("output"), messages("messages");
-  ServedOutcome outcome;
+  HostedOutcome outcome;
   if (input.descriptor() < 0 || second.descriptor() < 0 || output.descriptor() < 0 ||
       messages.descriptor() < 0) {
     outcome.failure = "No memory file could be made.";

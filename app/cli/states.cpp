@@ -18,7 +18,7 @@
 #include "core/foundations/base/translation.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/quantity.h"
-#include "core/presentation/export_api/states_json.h"
+#include "core/presentation/result_json/states_json.h"
 #include "core/teaching/derivation/solved_statics.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/load_diagnostics.h"

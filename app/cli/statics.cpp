@@ -13,8 +13,8 @@
 #include "app/cli/statics_text.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/translation.h"
-#include "core/presentation/export_api/statics_json.h"
 #include "core/presentation/exporters/input_options.h"
+#include "core/presentation/result_json/statics_json.h"
 
 namespace geargraph::cli {
 namespace {

@@ -258,7 +258,7 @@ const Command kTeeth = {
     false,
     true,
     nullptr,
-    ServedInput::documentAndWish,
+    MethodInput::documentAndWish,
     kTeethUnserved};
 
 }  // namespace geargraph::cli

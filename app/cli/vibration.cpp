@@ -13,9 +13,9 @@
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/readable.h"
 #include "core/foundations/base/translation.h"
-#include "core/presentation/export_api/vibration_report.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/number_options.h"
+#include "core/presentation/result_json/vibration_report.h"
 
 namespace geargraph::cli {
 namespace {

@@ -101,6 +101,7 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/presentation/simulators/modelica.cpp", "a format, with comments for users of other programs"},
     {"core/presentation/simulators/urdf.cpp", "a format, with comments for users of other programs"},
     {"core/presentation/typeset/", "commands of TeX"},
+    {"core/presentation/requests/", "the protocol of programs"},
     {"app/cli/serve", "the protocol of programs"},
     {"ui/recovery/", "reports for developers"},
     {"ui/mainwindow/about_dialog.cpp", "what developers ask for"},

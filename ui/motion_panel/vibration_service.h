@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/presentation/drawing/display_list.h"
-#include "core/presentation/export_api/lost_motion_report.h"
-#include "core/presentation/export_api/vibration_report.h"
+#include "core/presentation/result_json/lost_motion_report.h"
+#include "core/presentation/result_json/vibration_report.h"
 #include "ui/service/service.h"
 
 namespace geargraph {

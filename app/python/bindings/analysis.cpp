@@ -6,11 +6,11 @@
 
 #include "app/python/bindings/snapshot.h"
 #include "core/design/collision/motion_diagnostics.h"
-#include "core/presentation/export_api/analysis_json.h"
 #include "core/presentation/export_api/input_pose.h"
-#include "core/presentation/export_api/lost_motion_report.h"
-#include "core/presentation/export_api/states_json.h"
-#include "core/presentation/export_api/vibration_report.h"
+#include "core/presentation/result_json/analysis_json.h"
+#include "core/presentation/result_json/lost_motion_report.h"
+#include "core/presentation/result_json/states_json.h"
+#include "core/presentation/result_json/vibration_report.h"
 #include "core/teaching/derivation/named_results.h"
 #include "core/theory/matroid/input_sets.h"
 

@@ -1,5 +1,5 @@
 #include "app/python/bindings/snapshot.h"
-#include "core/presentation/export_api/statics_json.h"
+#include "core/presentation/result_json/statics_json.h"
 #include "core/theory/statics/statics_report.h"
 
 namespace geargraph::python {

@@ -14,7 +14,7 @@
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "core/presentation/drawing/tt_graph_layout.h"
 #include "core/presentation/export_api/levers_json.h"
-#include "core/presentation/export_api/vibration_report.h"
+#include "core/presentation/result_json/vibration_report.h"
 #include "core/presentation/schematic/schematic.h"
 
 namespace geargraph {

@@ -1,12 +1,12 @@
 #include <QtTest>
 #include <numbers>
 
-#include "core/presentation/export_api/analysis_json.h"
 #include "core/presentation/export_api/graph_files.h"
 #include "core/presentation/export_api/input_pose.h"
 #include "core/presentation/export_api/named_drawings.h"
 #include "core/presentation/export_api/rendering_names.h"
 #include "core/presentation/export_api/train_export.h"
+#include "core/presentation/result_json/analysis_json.h"
 #include "tests/core/support/trains.h"
 
 using namespace geargraph;

@@ -6,7 +6,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/toothed_train.h"
-#include "core/presentation/export_api/lost_motion_report.h"
+#include "core/presentation/result_json/lost_motion_report.h"
 #include "core/theory/lost_motion/lost_motion.h"
 #include "core/theory/matroid/joint_coupling.h"
 #include "tests/core/support/example_files.h"

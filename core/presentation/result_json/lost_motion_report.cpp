@@ -1,4 +1,4 @@
-#include "core/presentation/export_api/lost_motion_report.h"
+#include "core/presentation/result_json/lost_motion_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,11 +11,11 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph::cli {
+namespace geargraph {
 
 /// A member of the parameters of a request or of an edit. One list of these reads the members, rejects
 /// others, and is what `help` shows.
-struct ServedMember {
+struct RequestMember {
   std::string_view name;
   std::string_view value;  ///< what it holds, e.g. "id of a link"
   bool isNeeded = false;
@@ -24,19 +24,19 @@ struct ServedMember {
 /// Which members an object has that are not in the list, as a sentence with the nearest names that are;
 /// std::nullopt if it has none. `owner` is the method or edit, `but` a further member that is known.
 [[nodiscard]] std::optional<std::string> unknownMember(std::string_view owner, const JsonValue& object,
-                                                       std::span<const ServedMember> known,
+                                                       std::span<const RequestMember> known,
                                                        std::string_view but = {});
 
 /// "tail, head, [axis]": optional ones in brackets.
-[[nodiscard]] std::string membersText(std::span<const ServedMember> members);
+[[nodiscard]] std::string membersText(std::span<const RequestMember> members);
 /// A list of objects with name, value and needed.
-void writeMembers(JsonWriter& json, std::span<const ServedMember> members);
+void writeMembers(JsonWriter& json, std::span<const RequestMember> members);
 
 /// Reads the members of one edit that its list has; the first that is missing or wrong is kept as problem().
 /// @pre names are in the list
 class EditMembers {
  public:
-  EditMembers(const JsonValue& edit, std::span<const ServedMember> known, std::string pointer)
+  EditMembers(const JsonValue& edit, std::span<const RequestMember> known, std::string pointer)
       : m_edit(edit), m_known(known), m_pointer(std::move(pointer)) {}
 
   [[nodiscard]] const JsonValue& json() const { return m_edit; }
@@ -62,10 +62,10 @@ class EditMembers {
   void wrong(std::string_view name, std::string_view expected);
 
   JsonValue m_edit;
-  std::span<const ServedMember> m_known;
+  std::span<const RequestMember> m_known;
   std::string m_pointer;
   std::vector<std::string_view> m_read;
   std::optional<Diagnostic> m_problem;
 };
 
-}  // namespace geargraph::cli
+}  // namespace geargraph

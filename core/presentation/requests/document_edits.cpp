@@ -1,4 +1,4 @@
-#include "app/cli/serve_edits.h"
+#include "core/presentation/requests/document_edits.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include "core/theory/states/state_edits.h"
 #include "core/theory/states/weld_edits.h"
 
-namespace geargraph::cli {
+namespace geargraph {
 namespace {
 
 Diagnostic notFound(std::string_view id, ElementKind kind) {
@@ -74,7 +74,7 @@ std::optional<int> statePosition(const Mechanism& mechanism, std::string_view na
 
 // What each edit takes. Members of elements are those of the document, as they are described (fields.h).
 
-using ServedMembers = std::vector<ServedMember>;
+using RequestMembers = std::vector<RequestMember>;
 
 constexpr std::string_view kLinkId = "id of a link";
 constexpr std::string_view kText = "text";
@@ -160,36 +160,37 @@ std::string_view valueText(const MemberInfo& info) {
 
 /// The members that an edit adds an element with: those that a document needs first. `but`: what the edit
 /// says otherwise about some of them.
-ServedMembers membersFor(DocumentPart part, const ServedMembers& but = {}) {
-  ServedMembers members;
+RequestMembers membersFor(DocumentPart part, const RequestMembers& but = {}) {
+  RequestMembers members;
   const std::span<const MemberInfo> listed = listedMembersOf(part);
   for (const bool isFirst : {true, false}) {
     for (const MemberInfo& info : listed) {
       const bool isNeeded = info.isNeeded && info.value != MemberValue::id;
       if (isNeeded != isFirst) continue;
       const auto other = std::find_if(but.begin(), but.end(),
-                                      [&](const ServedMember& each) { return each.name == info.name; });
-      members.push_back(other != but.end() ? *other : ServedMember{info.name, valueText(info), isNeeded});
+                                      [&](const RequestMember& each) { return each.name == info.name; });
+      members.push_back(other != but.end() ? *other : RequestMember{info.name, valueText(info), isNeeded});
     }
   }
   return members;
 }
 
 /// Members of an element, with the one that names it in place of a new id, none of them needed.
-ServedMembers changesOf(const ServedMembers& members, std::string_view replaced, const ServedMember& named) {
-  ServedMembers changes{named};
-  for (const ServedMember& member : members) {
+RequestMembers changesOf(const RequestMembers& members, std::string_view replaced,
+                         const RequestMember& named) {
+  RequestMembers changes{named};
+  for (const RequestMember& member : members) {
     if (member.name != replaced) changes.push_back({member.name, member.value, false});
   }
   return changes;
 }
 
 /// The members of the document itself: all but those with edits of their own, and the editor's view.
-ServedMembers documentChanges() {
+RequestMembers documentChanges() {
   constexpr auto kWithEdits = std::to_array<std::string_view>(
       {"format", "version", "links", "axes", "turningJoints", "gearMeshes", "wheels", "inputs", "couplings",
        "states", "engaged", "loads", "view"});
-  ServedMembers changes;
+  RequestMembers changes;
   for (const MemberInfo& info : listedMembersOf(DocumentPart::document)) {
     if (std::find(kWithEdits.begin(), kWithEdits.end(), info.name) == kWithEdits.end())
       changes.push_back({info.name, valueText(info)});
@@ -198,32 +199,32 @@ ServedMembers documentChanges() {
 }
 
 struct ElementEdits {
-  ServedMembers link = membersFor(DocumentPart::link);
-  ServedMembers axis = membersFor(DocumentPart::axis);
-  ServedMembers joint =
+  RequestMembers link = membersFor(DocumentPart::link);
+  RequestMembers axis = membersFor(DocumentPart::axis);
+  RequestMembers joint =
       membersFor(DocumentPart::turningJoint, {{"axis", "id of an axis; without it a new one"}});
-  ServedMembers mesh = membersFor(DocumentPart::gearMesh);
-  ServedMembers wheel = membersFor(DocumentPart::wheel);
-  ServedMembers coupling =
+  RequestMembers mesh = membersFor(DocumentPart::gearMesh);
+  RequestMembers wheel = membersFor(DocumentPart::wheel);
+  RequestMembers coupling =
       membersFor(DocumentPart::coupling, {{"id", "id; without it a free letter"},
                                           {"link", "id of the link that a brake holds"},
                                           {"links", "ids of the two links of a clutch"}});
-  ServedMembers state =
+  RequestMembers state =
       membersFor(DocumentPart::state, {{"name", "text; without it a free number"}, {"engaged", kIds}});
-  ServedMembers load = membersFor(DocumentPart::load);
+  RequestMembers load = membersFor(DocumentPart::load);
 
-  ServedMembers linkChanges = changesOf(link, "id", {"link", kLinkId, true});
-  ServedMembers axisChanges =
+  RequestMembers linkChanges = changesOf(link, "id", {"link", kLinkId, true});
+  RequestMembers axisChanges =
       changesOf(membersFor(DocumentPart::axis, {{"point", "three numbers; none: placed by the teeth"},
                                                 {"direction", "three numbers; none: placed by the teeth"}}),
                 "id", {"axis", "id of an axis", true});
-  ServedMembers jointChanges = changesOf(joint, "id", {"joint", "id of a turning joint", true});
-  ServedMembers meshChanges = changesOf(mesh, "id", {"mesh", "id of a gear mesh", true});
-  ServedMembers wheelChanges = changesOf(wheel, "id", {"wheel", "id of a wheel", true});
-  ServedMembers couplingChanges = changesOf(coupling, "id", {"coupling", "id of a coupling", true});
-  ServedMembers stateChanges = changesOf(state, "name", {"state", "name of a state", true});
-  ServedMembers loadChanges = changesOf(load, "id", {"load", "id of a load", true});
-  ServedMembers document = documentChanges();
+  RequestMembers jointChanges = changesOf(joint, "id", {"joint", "id of a turning joint", true});
+  RequestMembers meshChanges = changesOf(mesh, "id", {"mesh", "id of a gear mesh", true});
+  RequestMembers wheelChanges = changesOf(wheel, "id", {"wheel", "id of a wheel", true});
+  RequestMembers couplingChanges = changesOf(coupling, "id", {"coupling", "id of a coupling", true});
+  RequestMembers stateChanges = changesOf(state, "name", {"state", "name of a state", true});
+  RequestMembers loadChanges = changesOf(load, "id", {"load", "id of a load", true});
+  RequestMembers document = documentChanges();
 };
 
 const ElementEdits& elementEdits() {
@@ -231,26 +232,26 @@ const ElementEdits& elementEdits() {
   return all;
 }
 
-constexpr std::array kRemoved = {ServedMember{"links", kIds},      ServedMember{"turningJoints", kIds},
-                                 ServedMember{"gearMeshes", kIds}, ServedMember{"wheels", kIds},
-                                 ServedMember{"couplings", kIds},  ServedMember{"states", "list of names"},
-                                 ServedMember{"loads", kIds}};
-constexpr std::array kTeethMembers = {ServedMember{"mesh", "id of a gear mesh", true},
-                                      ServedMember{"tailTeeth", kTeeth, true},
-                                      ServedMember{"headTeeth", kTeeth, true}};
-constexpr std::array kPointMembers = {ServedMember{"mesh", "id of a gear mesh", true},
-                                      ServedMember{"point", "three numbers; none: from axes and teeth"}};
-constexpr std::array kInputsMembers = {ServedMember{"inputs", "list of objects with joint and speed", true}};
-constexpr std::array kEngageMembers = {ServedMember{"couplings", kIds, true}};
-constexpr std::array kEngageStateMembers = {ServedMember{"state", "name of a state", true}};
-constexpr std::array kRenameMembers = {ServedMember{"link", kLinkId, true},
-                                       ServedMember{"name", kText, true}};
+constexpr std::array kRemoved = {RequestMember{"links", kIds},      RequestMember{"turningJoints", kIds},
+                                 RequestMember{"gearMeshes", kIds}, RequestMember{"wheels", kIds},
+                                 RequestMember{"couplings", kIds},  RequestMember{"states", "list of names"},
+                                 RequestMember{"loads", kIds}};
+constexpr std::array kTeethMembers = {RequestMember{"mesh", "id of a gear mesh", true},
+                                      RequestMember{"tailTeeth", kTeeth, true},
+                                      RequestMember{"headTeeth", kTeeth, true}};
+constexpr std::array kPointMembers = {RequestMember{"mesh", "id of a gear mesh", true},
+                                      RequestMember{"point", "three numbers; none: from axes and teeth"}};
+constexpr std::array kInputsMembers = {RequestMember{"inputs", "list of objects with joint and speed", true}};
+constexpr std::array kEngageMembers = {RequestMember{"couplings", kIds, true}};
+constexpr std::array kEngageStateMembers = {RequestMember{"state", "name of a state", true}};
+constexpr std::array kRenameMembers = {RequestMember{"link", kLinkId, true},
+                                       RequestMember{"name", kText, true}};
 
-constexpr std::array kMergeMembers = {ServedMember{"link", kLinkId, true},
-                                      ServedMember{"other", kLinkId, true}};
-constexpr std::array kSplitMembers = {ServedMember{"link", kLinkId, true},
-                                      ServedMember{"turningJoints", kIds}, ServedMember{"gearMeshes", kIds},
-                                      ServedMember{"couplings", kIds}};
+constexpr std::array kMergeMembers = {RequestMember{"link", kLinkId, true},
+                                      RequestMember{"other", kLinkId, true}};
+constexpr std::array kSplitMembers = {RequestMember{"link", kLinkId, true},
+                                      RequestMember{"turningJoints", kIds}, RequestMember{"gearMeshes", kIds},
+                                      RequestMember{"couplings", kIds}};
 
 Expected<Mechanism> addLink(Mechanism m, EditMembers& of) {
   auto next = withLink(std::move(m), {}, of.text("name"));
@@ -352,104 +353,105 @@ Expected<Mechanism> engageState(Mechanism m, EditMembers& of) {
   return withStateEngaged(std::move(m), *position);
 }
 
-std::vector<ServedEdit> madeEdits(const ElementEdits& elements) {
+std::vector<DocumentEdit> madeEdits(const ElementEdits& elements) {
   return {
-      ServedEdit{"addLink", elements.link, addLink},
-      ServedEdit{"addAxis", elements.axis, addAxis},
-      ServedEdit{"addTurningJoint", elements.joint, addTurningJoint},
-      ServedEdit{"addGearMesh", elements.mesh, addGearMesh},
-      ServedEdit{"addWheel", elements.wheel, addWheel},
-      ServedEdit{"addCoupling", elements.coupling, addCoupling},
-      ServedEdit{"addState", elements.state,
-                 [](Mechanism m, EditMembers& of) {
-                   return withRestOfLast(withState(std::move(m)), &Mechanism::states, of);
-                 }},
-      ServedEdit{"addLoad", elements.load, addLoad},
-      ServedEdit{"remove", kRemoved, removeElements},
-      ServedEdit{
+      DocumentEdit{"addLink", elements.link, addLink},
+      DocumentEdit{"addAxis", elements.axis, addAxis},
+      DocumentEdit{"addTurningJoint", elements.joint, addTurningJoint},
+      DocumentEdit{"addGearMesh", elements.mesh, addGearMesh},
+      DocumentEdit{"addWheel", elements.wheel, addWheel},
+      DocumentEdit{"addCoupling", elements.coupling, addCoupling},
+      DocumentEdit{"addState", elements.state,
+                   [](Mechanism m, EditMembers& of) {
+                     return withRestOfLast(withState(std::move(m)), &Mechanism::states, of);
+                   }},
+      DocumentEdit{"addLoad", elements.load, addLoad},
+      DocumentEdit{"remove", kRemoved, removeElements},
+      DocumentEdit{
           "setDocument", elements.document,
           [](Mechanism m, EditMembers& of) { return withDocumentMembers(m, of.json(), unreadOf(of)); }},
-      ServedEdit{"setLink", elements.linkChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string link = of.text("link");
-                   return withRestOf(std::move(m), &Mechanism::links, ElementKind::link, link, of);
-                 }},
-      ServedEdit{"setAxis", elements.axisChanges, setAxis},
-      ServedEdit{"setTurningJoint", elements.jointChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string joint = of.text("joint");
-                   return withRestOf(std::move(m), &Mechanism::turningJoints, ElementKind::turningJoint,
-                                     joint, of);
-                 }},
-      ServedEdit{"setGearMesh", elements.meshChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string mesh = of.text("mesh");
-                   return withRestOf(std::move(m), &Mechanism::gearMeshes, ElementKind::gearMesh, mesh, of);
-                 }},
-      ServedEdit{"setTeeth", kTeethMembers,
-                 [](Mechanism m, EditMembers& of) {
-                   const MeshId mesh(of.text("mesh"));
-                   const int tailTeeth = of.whole("tailTeeth"), headTeeth = of.whole("headTeeth");
-                   return withTeeth(std::move(m), mesh, tailTeeth, headTeeth);
-                 }},
-      ServedEdit{"setPitchPoint", kPointMembers,
-                 [](Mechanism m, EditMembers& of) {
-                   const MeshId mesh(of.text("mesh"));
-                   return withPitchPoint(std::move(m), mesh, of.triple("point"));
-                 }},
-      ServedEdit{"setWheel", elements.wheelChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string wheel = of.text("wheel");
-                   return withRestOf(std::move(m), &Mechanism::wheels, ElementKind::wheel, wheel, of);
-                 }},
-      ServedEdit{"setCoupling", elements.couplingChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string coupling = of.text("coupling");
-                   return withRestOf(std::move(m), &Mechanism::couplings, ElementKind::coupling, coupling,
-                                     of);
-                 }},
-      ServedEdit{"setState", elements.stateChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string state = of.text("state");
-                   return withRestOf(std::move(m), &Mechanism::states, ElementKind::state, state, of);
-                 }},
-      ServedEdit{"setLoad", elements.loadChanges,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::string load = of.text("load");
-                   return withRestOf(std::move(m), &Mechanism::loads, ElementKind::load, load, of);
-                 }},
-      ServedEdit{"setInputs", kInputsMembers,
-                 [](Mechanism m, EditMembers& of) { return withInputs(std::move(m), of.inputs("inputs")); }},
-      ServedEdit{"engage", kEngageMembers,
-                 [](Mechanism m, EditMembers& of) {
-                   const std::vector<std::string> names = of.texts("couplings");
-                   return withCouplingsEngaged(std::move(m), {names.begin(), names.end()});
-                 }},
-      ServedEdit{"engageState", kEngageStateMembers, engageState},
-      ServedEdit{"rename", kRenameMembers,
-                 [](Mechanism m, EditMembers& of) {
-                   const LinkId link(of.text("link"));
-                   return withName(std::move(m), link, of.text("name"));
-                 }},
-      ServedEdit{"mergeLinks", kMergeMembers,
-                 [](Mechanism m, EditMembers& of) {
-                   const LinkId link(of.text("link"));
-                   return withLinksWelded(m, link, LinkId(of.text("other")));
-                 }},
-      ServedEdit{"splitLink", kSplitMembers, splitLink},
+      DocumentEdit{"setLink", elements.linkChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string link = of.text("link");
+                     return withRestOf(std::move(m), &Mechanism::links, ElementKind::link, link, of);
+                   }},
+      DocumentEdit{"setAxis", elements.axisChanges, setAxis},
+      DocumentEdit{"setTurningJoint", elements.jointChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string joint = of.text("joint");
+                     return withRestOf(std::move(m), &Mechanism::turningJoints, ElementKind::turningJoint,
+                                       joint, of);
+                   }},
+      DocumentEdit{"setGearMesh", elements.meshChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string mesh = of.text("mesh");
+                     return withRestOf(std::move(m), &Mechanism::gearMeshes, ElementKind::gearMesh, mesh, of);
+                   }},
+      DocumentEdit{"setTeeth", kTeethMembers,
+                   [](Mechanism m, EditMembers& of) {
+                     const MeshId mesh(of.text("mesh"));
+                     const int tailTeeth = of.whole("tailTeeth"), headTeeth = of.whole("headTeeth");
+                     return withTeeth(std::move(m), mesh, tailTeeth, headTeeth);
+                   }},
+      DocumentEdit{"setPitchPoint", kPointMembers,
+                   [](Mechanism m, EditMembers& of) {
+                     const MeshId mesh(of.text("mesh"));
+                     return withPitchPoint(std::move(m), mesh, of.triple("point"));
+                   }},
+      DocumentEdit{"setWheel", elements.wheelChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string wheel = of.text("wheel");
+                     return withRestOf(std::move(m), &Mechanism::wheels, ElementKind::wheel, wheel, of);
+                   }},
+      DocumentEdit{"setCoupling", elements.couplingChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string coupling = of.text("coupling");
+                     return withRestOf(std::move(m), &Mechanism::couplings, ElementKind::coupling, coupling,
+                                       of);
+                   }},
+      DocumentEdit{"setState", elements.stateChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string state = of.text("state");
+                     return withRestOf(std::move(m), &Mechanism::states, ElementKind::state, state, of);
+                   }},
+      DocumentEdit{"setLoad", elements.loadChanges,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::string load = of.text("load");
+                     return withRestOf(std::move(m), &Mechanism::loads, ElementKind::load, load, of);
+                   }},
+      DocumentEdit{
+          "setInputs", kInputsMembers,
+          [](Mechanism m, EditMembers& of) { return withInputs(std::move(m), of.inputs("inputs")); }},
+      DocumentEdit{"engage", kEngageMembers,
+                   [](Mechanism m, EditMembers& of) {
+                     const std::vector<std::string> names = of.texts("couplings");
+                     return withCouplingsEngaged(std::move(m), {names.begin(), names.end()});
+                   }},
+      DocumentEdit{"engageState", kEngageStateMembers, engageState},
+      DocumentEdit{"rename", kRenameMembers,
+                   [](Mechanism m, EditMembers& of) {
+                     const LinkId link(of.text("link"));
+                     return withName(std::move(m), link, of.text("name"));
+                   }},
+      DocumentEdit{"mergeLinks", kMergeMembers,
+                   [](Mechanism m, EditMembers& of) {
+                     const LinkId link(of.text("link"));
+                     return withLinksWelded(m, link, LinkId(of.text("other")));
+                   }},
+      DocumentEdit{"splitLink", kSplitMembers, splitLink},
   };
 }
 
 /// The document after one edit.
-Expected<Mechanism> withServedEdit(const Mechanism& mechanism, const JsonValue& edit,
-                                   const std::string& pointer) {
+Expected<Mechanism> withDocumentEdit(const Mechanism& mechanism, const JsonValue& edit,
+                                     const std::string& pointer) {
   const auto name = edit.is(JsonKind::object) ? edit.member("edit") : std::nullopt;
-  const std::span<const ServedEdit> edits = servedEdits();
-  const auto found = std::find_if(edits.begin(), edits.end(), [&](const ServedEdit& served) {
+  const std::span<const DocumentEdit> edits = documentEdits();
+  const auto found = std::find_if(edits.begin(), edits.end(), [&](const DocumentEdit& served) {
     return name && name->is(JsonKind::string) && name->equals(served.name);
   });
   if (found == edits.end())
-    return Diagnostic{Code::schema, "An edit is one of " + servedEditNames() + ".", {}, pointer};
+    return Diagnostic{Code::schema, "An edit is one of " + documentEditNames() + ".", {}, pointer};
   if (auto sentence = unknownMember(found->name, edit, found->members, "edit"))
     return Diagnostic{Code::schema, *std::move(sentence), {}, pointer};
   EditMembers members(edit, found->members, pointer);
@@ -463,22 +465,23 @@ Expected<Mechanism> withServedEdit(const Mechanism& mechanism, const JsonValue& 
 
 }  // namespace
 
-std::span<const ServedEdit> servedEdits() {
-  static const std::vector<ServedEdit> edits = madeEdits(elementEdits());
+std::span<const DocumentEdit> documentEdits() {
+  static const std::vector<DocumentEdit> edits = madeEdits(elementEdits());
   return edits;
 }
 
-std::string servedEditNames() {
+std::string documentEditNames() {
   std::string names;
-  for (const ServedEdit& edit : servedEdits()) names += (names.empty() ? "" : ", ") + std::string(edit.name);
+  for (const DocumentEdit& edit : documentEdits())
+    names += (names.empty() ? "" : ", ") + std::string(edit.name);
   return names;
 }
 
-Expected<Mechanism> withServedEdits(Mechanism mechanism, const JsonValue& edits) {
+Expected<Mechanism> withDocumentEdits(Mechanism mechanism, const JsonValue& edits) {
   std::optional<Diagnostics> problems;
   edits.forEachElement([&](const JsonValue& edit, std::size_t position) {
     if (problems) return;
-    auto next = withServedEdit(mechanism, edit, "/params/edits/" + std::to_string(position));
+    auto next = withDocumentEdit(mechanism, edit, "/params/edits/" + std::to_string(position));
     if (next) {
       mechanism = std::move(next).value();
     } else {
@@ -493,4 +496,4 @@ Expected<Mechanism> withServedEdits(Mechanism mechanism, const JsonValue& edits)
   return *std::move(problems);
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph

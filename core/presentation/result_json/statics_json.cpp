@@ -1,11 +1,11 @@
-#include "core/presentation/export_api/statics_json.h"
+#include "core/presentation/result_json/statics_json.h"
 
 #include <string>
 
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/load_edits.h"
-#include "core/presentation/export_api/diagnostics_json.h"
-#include "core/presentation/export_api/torque_matrix_json.h"
+#include "core/presentation/result_json/diagnostics_json.h"
+#include "core/presentation/result_json/torque_matrix_json.h"
 
 namespace geargraph {
 namespace {

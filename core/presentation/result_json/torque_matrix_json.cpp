@@ -1,4 +1,4 @@
-#include "core/presentation/export_api/torque_matrix_json.h"
+#include "core/presentation/result_json/torque_matrix_json.h"
 
 #include <functional>
 

@@ -1,4 +1,4 @@
-#include "core/presentation/export_api/vibration_report.h"
+#include "core/presentation/result_json/vibration_report.h"
 
 #include <algorithm>
 #include <cmath>

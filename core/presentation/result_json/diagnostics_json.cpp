@@ -1,4 +1,4 @@
-#include "core/presentation/export_api/diagnostics_json.h"
+#include "core/presentation/result_json/diagnostics_json.h"
 
 #include <algorithm>
 #include <map>

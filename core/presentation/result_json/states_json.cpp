@@ -1,10 +1,10 @@
-#include "core/presentation/export_api/states_json.h"
+#include "core/presentation/result_json/states_json.h"
 
 #include <algorithm>
 
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/load_edits.h"
-#include "core/presentation/export_api/diagnostics_json.h"
+#include "core/presentation/result_json/diagnostics_json.h"
 
 namespace geargraph {
 namespace {

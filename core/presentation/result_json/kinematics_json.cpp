@@ -1,4 +1,4 @@
-#include "core/presentation/export_api/kinematics_json.h"
+#include "core/presentation/result_json/kinematics_json.h"
 
 #include <span>
 

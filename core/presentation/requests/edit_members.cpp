@@ -1,17 +1,17 @@
-#include "app/cli/serve_members.h"
+#include "core/presentation/requests/edit_members.h"
 
 #include <algorithm>
 
-#include "app/cli/arguments.h"
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/nearest_name.h"
+#include "core/presentation/exporters/option_values.h"
 
-namespace geargraph::cli {
+namespace geargraph {
 namespace {
 
-const ServedMember* entryOf(std::span<const ServedMember> members, std::string_view name) {
+const RequestMember* entryOf(std::span<const RequestMember> members, std::string_view name) {
   const auto found = std::find_if(members.begin(), members.end(),
-                                  [&](const ServedMember& each) { return each.name == name; });
+                                  [&](const RequestMember& each) { return each.name == name; });
   return found == members.end() ? nullptr : &*found;
 }
 
@@ -23,32 +23,32 @@ std::optional<Number> numberOf(const JsonValue& value) {
 }  // namespace
 
 std::optional<std::string> unknownMember(std::string_view owner, const JsonValue& object,
-                                         std::span<const ServedMember> known, std::string_view but) {
+                                         std::span<const RequestMember> known, std::string_view but) {
   std::optional<std::string> sentence;
   object.forEachMember([&](const JsonValue& key, const JsonValue& /*value*/) {
     const std::string name = key.string();
     if (sentence || name == but || entryOf(known, name) != nullptr) return;
     sentence = "\"" + std::string(owner) + "\" has no member \"" + name + "\".";
     std::vector<std::string_view> names;
-    for (const ServedMember& member : known) names.push_back(member.name);
+    for (const RequestMember& member : known) names.push_back(member.name);
     if (const auto nearest = nearestName(name, names))
       *sentence += " Is \"" + std::string(*nearest) + "\" meant?";
   });
   return sentence;
 }
 
-std::string membersText(std::span<const ServedMember> members) {
+std::string membersText(std::span<const RequestMember> members) {
   std::string text;
-  for (const ServedMember& member : members) {
+  for (const RequestMember& member : members) {
     if (!text.empty()) text += ", ";
     text += member.isNeeded ? std::string(member.name) : '[' + std::string(member.name) + ']';
   }
   return text;
 }
 
-void writeMembers(JsonWriter& json, std::span<const ServedMember> members) {
+void writeMembers(JsonWriter& json, std::span<const RequestMember> members) {
   json.beginArray();
-  for (const ServedMember& member : members) {
+  for (const RequestMember& member : members) {
     json.beginObject(JsonWriter::Layout::row);
     json.member("name", member.name);
     json.member("value", member.value);
@@ -59,7 +59,7 @@ void writeMembers(JsonWriter& json, std::span<const ServedMember> members) {
 }
 
 bool EditMembers::isNeeded(std::string_view name) const {
-  const ServedMember* const entry = entryOf(m_known, name);
+  const RequestMember* const entry = entryOf(m_known, name);
   GEARGRAPH_REQUIRE(entry != nullptr);
   return entry->isNeeded;
 }
@@ -143,4 +143,4 @@ void EditMembers::wrong(std::string_view name, std::string_view expected) {
                          m_pointer};
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph

@@ -1,11 +1,11 @@
-#include "core/presentation/export_api/analysis_json.h"
+#include "core/presentation/result_json/analysis_json.h"
 
 #include <vector>
 
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/shift_edits.h"
-#include "core/presentation/export_api/diagnostics_json.h"
-#include "core/presentation/export_api/kinematics_json.h"
+#include "core/presentation/result_json/diagnostics_json.h"
+#include "core/presentation/result_json/kinematics_json.h"
 #include "core/teaching/derivation/named_results.h"
 #include "core/teaching/derivation/result_text.h"
 
