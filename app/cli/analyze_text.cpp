@@ -1,9 +1,12 @@
 #include "app/cli/analyze_text.h"
 
+#include <algorithm>
+
 #include <unordered_map>
 
 #include "app/cli/solution_text.h"
 #include "core/foundations/base/translation.h"
+#include "core/foundations/exact/pi_number.h"
 #include "core/teaching/derivation/named_results.h"
 #include "core/teaching/derivation/result_text.h"
 
@@ -23,10 +26,18 @@ std::string countedItems(int count, const char* one, const char* many) {
   return filled(translated(count == 1 ? one : many), {std::to_string(count)});
 }
 
+std::string joints(const Mechanism& m) {
+  if (!hasSlides(m))
+    return countedItems(m.t(), toTranslate("%1 turning joint"), toTranslate("%1 turning joints"));
+  const auto sliding = std::count_if(m.turningJoints.begin(), m.turningJoints.end(),
+                                     [](const TurningJoint& joint) { return slides(joint); });
+  return translated("%1 joints, of which %2 slide", {std::to_string(m.t()), std::to_string(sliding)});
+}
+
 std::string heading(const Mechanism& m) {
   return (m.name.empty() ? translated("Untitled mechanism") : m.name) +
          "\nn = " + countedItems(m.n(), toTranslate("%1 moving link"), toTranslate("%1 moving links")) +
-         ", t = " + countedItems(m.t(), toTranslate("%1 turning joint"), toTranslate("%1 turning joints")) +
+         ", t = " + joints(m) +
          ", c = " + countedItems(m.c(), toTranslate("%1 gear mesh"), toTranslate("%1 gear meshes")) + '\n';
 }
 
@@ -35,6 +46,19 @@ std::unordered_map<LinkId, std::string> labelsOfLinks(const Mechanism& m) {
   std::unordered_map<LinkId, std::string> labels;
   for (std::size_t i = 0; i < m.links.size(); ++i) labels[m.links[i].id] = std::to_string(i);
   return labels;
+}
+
+/// What the ratio of a mesh with a side that slides means.
+std::string travel(const Mechanism& m, const GearMesh& mesh,
+                   std::unordered_map<LinkId, std::string>& labels) {
+  const bool ofTail = tailSlides(m, mesh);
+  const auto weights = weightsOf(mesh, ofTail);
+  if (!weights) return {};
+  const PiNumber ratio = ofTail ? PiNumber(Rational(weights->head, weights->tail), weights->pi)
+                                : PiNumber(Rational(weights->tail, weights->head), -weights->pi);
+  return translated("travel of link %1 per radian of link %2: %3 %4",
+                    {labels[ofTail ? mesh.tail : mesh.head], labels[ofTail ? mesh.head : mesh.tail],
+                     ratio.toString(), m.unit});
 }
 
 std::string elements(const Mechanism& m) {
@@ -52,13 +76,17 @@ std::string elements(const Mechanism& m) {
   for (int i = 0; i < m.t(); ++i) {
     const TurningJoint& joint = m.turningJoints[static_cast<std::size_t>(i)];
     text += rightAligned(std::to_string(m.jointLabel(i)), 5) + "  " + arrow(joint.tail, joint.head) + "  " +
-            translated("axis %1", {joint.axis.text()}) + '\n';
+            (slides(joint) ? translated("slides along axis %1", {joint.axis.text()})
+                           : translated("axis %1", {joint.axis.text()})) +
+            '\n';
   }
   text += '\n' + translated("Gear meshes") + '\n';
   for (int i = 0; i < m.c(); ++i) {
     const GearMesh& mesh = m.gearMeshes[static_cast<std::size_t>(i)];
     text += rightAligned(std::to_string(m.meshLabel(i)), 5) + "  " + arrow(mesh.tail, mesh.head) + "  " +
-            translated("teeth %1 : %2", {std::to_string(mesh.tailTeeth), std::to_string(mesh.headTeeth)}) +
+            (slides(saidKind(mesh)) ? travel(m, mesh, labels)
+                                    : translated("teeth %1 : %2", {std::to_string(mesh.tailTeeth),
+                                                                   std::to_string(mesh.headTeeth)})) +
             (mesh.kind ? "  " + kindWord(*mesh.kind) : "") + '\n';
   }
   return text;

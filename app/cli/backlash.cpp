@@ -46,7 +46,7 @@ int runBacklash(const Arguments& arguments) {
   if (arguments.has("--json") && arguments.has("--csv"))
     return wrongUsage(kBacklash, translated("Give --json or --csv."));
   const std::string& file = arguments.files.front();
-  const auto loaded = load(file);
+  const auto loaded = load(file, kBacklash);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   auto document = std::get<Expected<Mechanism>>(loaded);
   if (!document) {

@@ -171,7 +171,7 @@ int runCheck(const Arguments& arguments) {
   const auto choice = controllerChoice(arguments);
   const auto kind = choice ? std::optional<PaperMatrix>() : matrixFrom(arguments);
   if (const auto* error = std::get_if<UsageError>(&kind)) return wrongUsage(kCheck, error->message);
-  const auto loaded = loadOrSay(arguments.files.front());
+  const auto loaded = loadOrSay(arguments.files.front(), kCheck);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const std::string& path = arguments.files[1];
   const auto text = readFile(path, kLargestPaper);

@@ -31,6 +31,8 @@ struct Command {
   std::string (*more)() = nullptr;  ///< what the help says after the options, with an empty line before it
   MethodInput servedInput = MethodInput::document;  ///< what it reads as a method of `serve`
   std::span<const std::string_view> unserved = {};  ///< options that would read or write files
+  /// Does it know sliding joints? Else it rejects documents that have some.
+  bool knowsSlides = false;
 };
 
 extern const Command kAnalyze;

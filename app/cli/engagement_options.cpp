@@ -12,7 +12,7 @@
 namespace geargraph::cli {
 
 std::variant<Mechanism, int> loadEngaged(const Command& command, const Arguments& arguments) {
-  auto document = loadOrSay(arguments.files.front());
+  auto document = loadOrSay(arguments.files.front(), command);
   if (const int* status = std::get_if<int>(&document)) return *status;
   auto engaged = withEngagementOptions(std::get<Mechanism>(std::move(document)), arguments);
   if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(command, error->message);

@@ -73,7 +73,7 @@ const Command kExercises = {
 
 int listExerciseKinds(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExercises, translated("One file is needed."));
-  const auto mechanism = loadOrSay(arguments.files.front());
+  const auto mechanism = loadOrSay(arguments.files.front(), kExercises);
   if (const int* status = std::get_if<int>(&mechanism)) return *status;
   if (std::get<Mechanism>(mechanism).n() > kMaxExerciseLinks) return tooLargeForExercises();
   const ExerciseSource source(std::get<Mechanism>(mechanism));

@@ -81,7 +81,7 @@ int makeExercises(const Arguments& arguments) {
   if (const auto* error = std::get_if<UsageError>(&read)) return wrongUsage(kExercises, error->message);
   if (const auto* error = std::get_if<FileError>(&read)) return fileFailure(error->message);
   auto& request = std::get<SheetRequest>(read);
-  auto loaded = loadOrSay(arguments.files.front());
+  auto loaded = loadOrSay(arguments.files.front(), kExercises);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const auto& mechanism = std::get<Mechanism>(loaded);
   if (mechanism.n() > kMaxExerciseLinks) return tooLargeForExercises();

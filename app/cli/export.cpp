@@ -69,7 +69,7 @@ int runExport(const Arguments& arguments) {
   if (!path) return wrongUsage(kExport, translated("-o says where to write."));
   ExportContext context = contextOf(arguments.files.front());
   const ExportResult result =
-      exporter->write(context, arguments, {*path, arguments.has("--force")}, arguments.stop);
+      writeExport(*exporter, context, arguments, {*path, arguments.has("--force")}, arguments.stop);
   if (const auto* error = std::get_if<ExportError>(&result)) return exportFailure(arguments, *error);
   return std::get<ExportOutcome>(result).isFlawed ? kMechanismErrors : kFine;
 }

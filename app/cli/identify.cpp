@@ -38,7 +38,7 @@ int tooLarge(int links) {
 
 /// Reads and identifies a document; or reports why not and gives the exit status.
 std::variant<IdentifiedTrain, int> identified(const std::string& file, const Arguments& arguments) {
-  auto loaded = loadOrSay(file);
+  auto loaded = loadOrSay(file, kIdentify);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   IdentifiedTrain train{file, std::get<Mechanism>(std::move(loaded)), {}, {}};
   if (train.mechanism.links.size() > kMaxIdentifiedLinks) return tooLarge(kMaxIdentifiedLinks);

@@ -70,7 +70,7 @@ std::string leversText(const Mechanism& mechanism, const LeverPicture& picture) 
 int runLevers(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kLevers, translated("One file is needed."));
   const std::string& file = arguments.files.front();
-  const auto loaded = load(file);
+  const auto loaded = load(file, kLevers);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   auto document = std::get<Expected<Mechanism>>(loaded);
   if (!document) {

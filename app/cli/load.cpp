@@ -24,6 +24,16 @@ bool isConvertible(const std::string& path, std::string_view bytes, const Diagno
          readAnyMechanism(bytes).has_value();
 }
 
+/// The mechanism, or the exit status after the reason was reported.
+std::variant<Mechanism, int> saying(const std::string& path,
+                                    std::variant<Expected<Mechanism>, FileError> loaded) {
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  auto& document = std::get<Expected<Mechanism>>(loaded);
+  if (document) return std::move(document).value();
+  std::cerr << diagnosticLines(path, document.error());
+  return static_cast<int>(kMechanismErrors);
+}
+
 }  // namespace
 
 std::variant<Expected<Mechanism>, FileError> load(const std::string& path) {
@@ -41,13 +51,20 @@ std::variant<Expected<Mechanism>, FileError> load(const std::string& path) {
   return document;
 }
 
-std::variant<Mechanism, int> loadOrSay(const std::string& path) {
+std::variant<Expected<Mechanism>, FileError> load(const std::string& path, const Command& command) {
   auto loaded = load(path);
-  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
-  auto& document = std::get<Expected<Mechanism>>(loaded);
-  if (document) return std::move(document).value();
-  std::cerr << diagnosticLines(path, document.error());
-  return static_cast<int>(kMechanismErrors);
+  const auto* document = std::get_if<Expected<Mechanism>>(&loaded);
+  if (document == nullptr || !*document || command.knowsSlides || !hasSlides(**document)) return loaded;
+  return FileError{
+      translated("The command %1 does not cover sliding joints, and \"%2\" has some.", {command.name, path})};
+}
+
+std::variant<Mechanism, int> loadOrSay(const std::string& path) {
+  return saying(path, load(path));
+}
+
+std::variant<Mechanism, int> loadOrSay(const std::string& path, const Command& command) {
+  return saying(path, load(path, command));
 }
 
 }  // namespace geargraph::cli

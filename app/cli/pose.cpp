@@ -28,26 +28,61 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+/// The column of an input by its label; none where it is none.
+std::optional<std::size_t> inputNamed(const AnalysisSnapshot& snapshot, std::string_view label) {
+  const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
+  const auto joint = jointNamed(*snapshot.mechanism, std::string(label));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (joint == inputs[i]) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<UsageError> setTravel(const AnalysisSnapshot& snapshot, std::string_view word,
+                                    InputAngles& inputs) {
+  const std::size_t sign = word.find('=');
+  const std::string_view label = word.substr(0, std::min(sign, word.size()));
+  std::string_view value = sign < word.size() ? word.substr(sign + 1) : std::string_view();
+  const std::string& unit = snapshot.mechanism->unit;
+  if (!unit.empty() && value.ends_with(unit)) value.remove_suffix(unit.size());
+  const auto travel = Rational::fromText(value);
+  if (!travel || !std::isfinite(travel->toDouble())) {
+    return UsageError{translated("%1 is like 9=20%2: an input's label and its travel in the document's unit.",
+                                 {"--travel", unit})};
+  }
+  const auto input = inputNamed(snapshot, label);
+  if (!input)
+    return UsageError{
+        translated("Joint %1 is not an input; see --inputs.", {'"' + std::string(label) + '"'})};
+  if (!slides(snapshot.mechanism->turningJoints[snapshot.matroid()->choice.joints[*input]])) {
+    return UsageError{translated("Joint %1 turns: its angle is given by --angle.", {label})};
+  }
+  inputs.radians[*input] = *travel;
+  return std::nullopt;
+}
+
 std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string_view word,
                                    InputAngles& angles) {
   const std::string label(word.substr(0, std::min(word.find('='), word.size())));
   const auto read = angleOption("--angle", word);
   if (const auto* error = std::get_if<UsageError>(&read)) return *error;
-  const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
-  const auto joint = jointNamed(*snapshot.mechanism, label);
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (joint != inputs[i]) continue;
-    angles.degrees[i] = std::get<TypedAngle>(read).degrees;
-    angles.radians[i] = std::get<TypedAngle>(read).radians;
-    return std::nullopt;
-  }
-  return UsageError{translated("Joint %1 is not an input; see --inputs.", {'"' + label + '"'})};
+  const auto input = inputNamed(snapshot, label);
+  if (!input) return UsageError{translated("Joint %1 is not an input; see --inputs.", {'"' + label + '"'})};
+  if (slides(snapshot.mechanism->turningJoints[snapshot.matroid()->choice.joints[*input]]))
+    return UsageError{translated("Joint %1 slides: its travel is given by --travel.", {label})};
+  angles.degrees[*input] = std::get<TypedAngle>(read).degrees;
+  angles.radians[*input] = std::get<TypedAngle>(read).radians;
+  return std::nullopt;
 }
 
-/// "170 deg", "-133.33333 deg", or "none" for an open end.
-std::string limitText(double angle) {
+/// "170 deg", "-133.33333 deg", "20 mm", or "none" for an open end.
+std::string limitText(const AnalysisSnapshot& snapshot, std::size_t joint, double angle) {
   if (!std::isfinite(angle)) return translated("none");
   std::ostringstream text;
+  if (slides(snapshot.mechanism->turningJoints[joint])) {
+    text << std::setprecision(8) << angle << ' ' << snapshot.mechanism->unit;
+    return text.str();
+  }
   text << std::setprecision(8) << angle / kDegree;
   return translated("%1 deg", {text.str()});
 }
@@ -59,11 +94,12 @@ std::string warningsBeyondLimits(const std::string& file, const AnalysisSnapshot
   std::string text;
   for (const int joint : pose.beyondLimits) {
     const auto j = static_cast<std::size_t>(joint);
-    text += file + ": warning: " +
-            translated("joint %1 at %2 is beyond its limits (%3, %4)",
-                       {std::to_string(snapshot.graph->edgeLabel(joint)), limitText(pose.angles[j]),
-                        limitText(limits[j].low), limitText(limits[j].high)}) +
-            '\n';
+    text +=
+        file + ": warning: " +
+        translated("joint %1 at %2 is beyond its limits (%3, %4)",
+                   {std::to_string(snapshot.graph->edgeLabel(joint)), limitText(snapshot, j, pose.angles[j]),
+                    limitText(snapshot, j, limits[j].low), limitText(snapshot, j, limits[j].high)}) +
+        '\n';
   }
   return text;
 }
@@ -137,6 +173,14 @@ std::string asText(const AnalysisSnapshot& snapshot, const InputPose& pose) {
   };
   std::string text = translated("Joints") + '\n';
   for (std::size_t joint = 0; joint < pose.angles.size(); ++joint) {
+    if (slides(snapshot.mechanism->turningJoints[joint])) {
+      text +=
+          "  " +
+          translated("%1 moved by %2 %3", {std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))),
+                                           rounded(pose.angles[joint]), snapshot.mechanism->unit}) +
+          '\n';
+      continue;
+    }
     text +=
         "  " +
         translated("%1 turned by %2 deg", {std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))),
@@ -175,6 +219,9 @@ int runPose(const Arguments& arguments) {
   for (const std::string& word : arguments.values("--angle")) {
     if (const auto error = setAngle(*snapshot, word, inputs)) return wrongUsage(kPose, error->message);
   }
+  for (const std::string& word : arguments.values("--travel")) {
+    if (const auto error = setTravel(*snapshot, word, inputs)) return wrongUsage(kPose, error->message);
+  }
   const auto pose = poseOfInputs(*snapshot, inputs, arguments.stop);
   if (!pose) return outOfTime(arguments, translated("the pose"));
   std::cerr << warningsBeyondLimits(file, *snapshot, *pose);
@@ -184,6 +231,8 @@ int runPose(const Arguments& arguments) {
 constexpr std::array kPoseOptions = {
     Option{"--angle", "8=30deg",
            toTranslate("the angle of an input (deg, rad or turns; without it 0); may be repeated")},
+    Option{"--travel", "9=20mm",
+           toTranslate("the travel of an input that slides, in the document's unit; may be repeated")},
     Option{"--inputs", "8,9,11", toTranslate("drive these joints (by label) instead of the document's")},
     kStateOption,
     kEngageOption,
@@ -193,7 +242,16 @@ constexpr std::array kPoseOptions = {
 }  // namespace
 
 const Command kPose = {
-    "pose", "FILE --angle 8=30deg ... [--inputs 8,9,11] [--state NAME | --engage A,B] [--json]",
-    toTranslate("Says where every link is for given angles of the inputs."), kPoseOptions, runPose};
+    "pose",
+    "FILE --angle 8=30deg ... [--travel 9=20mm ...] [--inputs 8,9,11] [--state NAME | --engage A,B] [--json]",
+    toTranslate("Says where every link is for given angles of the inputs."),
+    kPoseOptions,
+    runPose,
+    false,
+    true,
+    nullptr,
+    ServedInput::document,
+    {},
+    true};
 
 }  // namespace geargraph::cli

@@ -57,30 +57,46 @@ std::string carriers(const TtGraph& graph) {
 /// Rows of the solution: a label, a cell for each input, the rate now.
 using Table = std::vector<std::vector<std::string>>;
 
+std::string readable(const Rational& value) {
+  return readableNumber(value);
+}
+std::string readable(const PiNumber& value) {
+  return value.isRational() ? readableNumber(value.rational()) : value.toString();
+}
+
+/// "rad/s", of a sliding joint "mm/s".
+std::string unitOfRate(const Mechanism& mechanism, JointOrdinal joint) {
+  return slides(mechanism.turningJoints[joint]) ? translated("%1/s", {mechanism.unit}) : "rad/s";
+}
+
 /// In the gear ratios and as a number: "-i15 = -1/2".
-std::string cell(const SolvedKinematics& solved, std::size_t row, std::size_t column) {
-  const std::size_t at = row * solved.exact->inputs.size() + column;
-  const std::string number = readableNumber(solved.exact->matrix[at]);
+template <class Solution>
+std::string cell(const SolvedKinematics& solved, const Solution& exact, std::size_t row, std::size_t column) {
+  const std::size_t at = row * exact.inputs.size() + column;
+  const std::string number = readable(exact.matrix[at]);
   if (!solved.symbolic || !solved.symbolic->matrix[at]) return number;
   const std::string symbols = solved.symbolic->matrix[at]->toText();
   if (symbols == number || symbols.size() > kMaxCellLength) return number;
   return symbols + " = " + number;
 }
 
-Table tableOf(const AnalysisSnapshot& snapshot) {
+template <class Solution>
+Table tableOf(const AnalysisSnapshot& snapshot, const Solution& exact) {
   const SolvedKinematics& solved = *snapshot.solved;
   const Digraph& graph = *snapshot.graph;
+  const bool hasUnits = hasSlides(*snapshot.mechanism);
   Table table(1, {translated("joint")});
-  for (const int input : solved.exact->inputs) table[0].push_back(std::to_string(graph.edgeLabel(input)));
-  table[0].emplace_back("rad/s");
-  for (std::size_t row = 0; row < solved.exact->outputs.size(); ++row) {
-    const int output = solved.exact->outputs[row];
+  for (const int input : exact.inputs) table[0].push_back(std::to_string(graph.edgeLabel(input)));
+  table[0].emplace_back(hasUnits ? translated("rate") : "rad/s");
+  for (std::size_t row = 0; row < exact.outputs.size(); ++row) {
+    const int output = exact.outputs[row];
     table.push_back({std::to_string(graph.edgeLabel(output))});
-    for (std::size_t column = 0; column < solved.exact->inputs.size(); ++column) {
-      const std::string entry = cell(solved, row, column);
+    for (std::size_t column = 0; column < exact.inputs.size(); ++column) {
+      const std::string entry = cell(solved, exact, row, column);
       table.back().push_back(entry == "0" ? "." : entry);
     }
-    table.back().push_back(readableNumber(solved.exact->rates[static_cast<std::size_t>(output)]));
+    table.back().push_back(readable(exact.rates[output]) +
+                           (hasUnits ? " " + unitOfRate(*snapshot.mechanism, output) : ""));
   }
   return table;
 }
@@ -98,17 +114,20 @@ std::string printed(const Table& table) {
   return text;
 }
 
-std::string solution(const AnalysisSnapshot& snapshot) {
+template <class Solution>
+std::string solution(const AnalysisSnapshot& snapshot, const Solution& exact) {
   const SolvedKinematics& solved = *snapshot.solved;
-  const ExactSolution& exact = *solved.exact;
   std::string text = '\n' + translated("Rates of the outputs over those of the inputs, Eq. (23)") + '\n';
   text += snapshot.matroid()->inputsGiven ? translated("inputs")
                                           : translated("inputs, chosen because the file names none:");
   for (std::size_t i = 0; i < exact.inputs.size(); ++i) {
-    const auto joint = static_cast<std::size_t>(exact.inputs[i]);
+    const JointOrdinal joint = exact.inputs[i];
+    const std::string label = std::to_string(snapshot.graph->edgeLabel(joint));
     text += (i > 0 ? ", " : " ") +
-            translated("%1 at %2 rad/s", {std::to_string(snapshot.graph->edgeLabel(exact.inputs[i])),
-                                          readableNumber(exact.rates[joint])});
+            (slides(snapshot.mechanism->turningJoints[joint])
+                 ? translated("%1 at %2 %3",
+                              {label, readable(exact.rates[joint]), unitOfRate(*snapshot.mechanism, joint)})
+                 : translated("%1 at %2 rad/s", {label, readable(exact.rates[joint])}));
   }
   text += exact.inputs.empty() ? ' ' + translated("none") + '\n' : "\n";
   if (const std::vector<int>& follow = snapshot.matroid()->choice.rejected; !follow.empty()) {
@@ -118,7 +137,7 @@ std::string solution(const AnalysisSnapshot& snapshot) {
   }
   const bool isSmall = exact.outputs.size() <= kMaxRows && exact.inputs.size() <= kMaxColumns;
   if (isSmall && exact.matrix.size() == exact.outputs.size() * exact.inputs.size()) {
-    text += printed(tableOf(snapshot));
+    text += printed(tableOf(snapshot, exact));
   } else {
     text += "  " +
             translated("%1 outputs over %2 inputs: too large to print; see --json",
@@ -139,7 +158,8 @@ std::string motionText(const AnalysisSnapshot& snapshot) {
   std::string text;
   if (const MatroidAnalysis* matroid = snapshot.matroid()) text += freedom(*snapshot.mechanism, *matroid);
   if (snapshot.kinematics) text += carriers(*snapshot.kinematics->ttGraph);
-  if (snapshot.solved && snapshot.solved->exact) text += solution(snapshot);
+  if (snapshot.solved && snapshot.solved->exact) text += solution(snapshot, *snapshot.solved->exact);
+  if (snapshot.solved && snapshot.solved->pi) text += solution(snapshot, *snapshot.solved->pi);
   return text;
 }
 

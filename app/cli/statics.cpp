@@ -108,7 +108,7 @@ std::variant<Mechanism, UsageError> engagedForStatics(Mechanism mechanism, const
 int runStatics(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kStatics, translated("One file is needed."));
   const std::string& file = arguments.files.front();
-  const auto loaded = load(file);
+  const auto loaded = load(file, kStatics);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
   if (!document) {

@@ -197,7 +197,7 @@ int runTeeth(const Arguments& arguments) {
                         translated("--limit is a whole number up to %1.", {std::to_string(kMaxChoices)}));
     most = *number;
   }
-  const auto loaded = loadOrSay(arguments.files.front());
+  const auto loaded = loadOrSay(arguments.files.front(), kTeeth);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const std::string& path = arguments.files[1];
   const auto text = readFile(path, kLargestWish);

@@ -90,7 +90,7 @@ int runVibration(const Arguments& arguments) {
   if (arguments.has("--json") && arguments.has("--csv"))
     return wrongUsage(kVibration, translated("Give --json or --csv."));
   const std::string& file = arguments.files.front();
-  const auto loaded = load(file);
+  const auto loaded = load(file, kVibration);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   auto document = std::get<Expected<Mechanism>>(loaded);
   if (!document) {

@@ -20352,6 +20352,202 @@ Radpaare / Steg: %3</translation>
         <source>sign of gears on axes that cross</source>
         <translation>Vorzeichen von Rädern auf Achsen, die sich kreuzen</translation>
     </message>
+    <message>
+        <source>%1 joints, of which %2 slide</source>
+        <translation>%1 Gelenke, davon %2 Schubgelenke</translation>
+    </message>
+    <message>
+        <source>travel of link %1 per radian of link %2: %3 %4</source>
+        <translation>Weg von Glied %1 je Radiant von Glied %2: %3 %4</translation>
+    </message>
+    <message>
+        <source>slides along axis %1</source>
+        <translation>gleitet entlang Achse %1</translation>
+    </message>
+    <message>
+        <source>The command %1 does not cover sliding joints, and &quot;%2&quot; has some.</source>
+        <translation>Der Befehl %1 kennt keine Schubgelenke, und „%2“ hat welche.</translation>
+    </message>
+    <message>
+        <source>%1 is like 9=20%2: an input&apos;s label and its travel in the document&apos;s unit.</source>
+        <translation>%1 ist wie 9=20%2: die Nummer eines Antriebs und sein Weg in der Einheit des Dokuments.</translation>
+    </message>
+    <message>
+        <source>Joint %1 turns: its angle is given by --angle.</source>
+        <translation>Gelenk %1 dreht sich: sein Winkel wird mit --angle angegeben.</translation>
+    </message>
+    <message>
+        <source>Joint %1 slides: its travel is given by --travel.</source>
+        <translation>Gelenk %1 gleitet: sein Weg wird mit --travel angegeben.</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 %3</source>
+        <translation>%1 um %2 %3 verschoben</translation>
+    </message>
+    <message>
+        <source>the travel of an input that slides, in the document&apos;s unit; may be repeated</source>
+        <translation>der Weg eines Antriebs, der gleitet, in der Einheit des Dokuments; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1 at %2 %3</source>
+        <translation>%1 mit %2 %3</translation>
+    </message>
+    <message>
+        <source>&quot;turning&quot; or &quot;sliding&quot;</source>
+        <translation>&quot;turning&quot; oder &quot;sliding&quot;</translation>
+    </message>
+    <message>
+        <source>turning, sliding or nothing</source>
+        <translation>turning, sliding oder nichts</translation>
+    </message>
+    <message>
+        <source>rack</source>
+        <translation>Zahnstange</translation>
+    </message>
+    <message>
+        <source>Make %1 a rack and pinion</source>
+        <translation>%1 zu Zahnstange und Ritzel machen</translation>
+    </message>
+    <message>
+        <source>screw</source>
+        <translation>Gewindespindel</translation>
+    </message>
+    <message>
+        <source>Make %1 a screw and nut</source>
+        <translation>%1 zu Spindel und Mutter machen</translation>
+    </message>
+    <message>
+        <source>Screw &quot;%1&quot; needs a lead: its advance in one turn.</source>
+        <translation>Spindel „%1“ braucht eine Steigung: ihren Vorschub je Umdrehung.</translation>
+    </message>
+    <message>
+        <source>The lead of screw &quot;%1&quot; is above 0.</source>
+        <translation>Die Steigung der Spindel „%1“ ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>Screw &quot;%1&quot; has a lead and a hand, no module and no helix angle: leave them out.</source>
+        <translation>Spindel „%1“ hat Steigung und Gangrichtung, aber weder Modul noch Schrägungswinkel: sie weglassen.</translation>
+    </message>
+    <message>
+        <source>Rack &quot;%1&quot; has a module or a pitch along its motion, one of them.</source>
+        <translation>Zahnstange „%1“ hat einen Modul oder eine Teilung längs ihrer Bewegung, eines von beiden.</translation>
+    </message>
+    <message>
+        <source>The travel of a radian of &quot;%1&quot; is a ratio of two whole numbers up to 100,000: give it with fewer digits.</source>
+        <translation>Der Weg je Radiant von „%1“ ist ein Verhältnis zweier ganzer Zahlen bis 100.000: mit weniger Stellen angeben.</translation>
+    </message>
+    <message>
+        <source>Only a screw has a lead; mesh &quot;%1&quot; is none.</source>
+        <translation>Nur eine Spindel hat eine Steigung; Eingriff „%1“ ist keine.</translation>
+    </message>
+    <message>
+        <source>This format does not cover sliding joints, racks and screws.</source>
+        <translation>Dieses Format kennt keine Schubgelenke, Zahnstangen und Spindeln.</translation>
+    </message>
+    <message>
+        <source>%1 slides: its screw has no angular part.</source>
+        <translation>%1 gleitet: seine Schraube hat keinen Drehanteil.</translation>
+    </message>
+    <message>
+        <source>The %1 component of the direction in which %2 slides: how fast the pitch point of %3 moves for one unit of speed.</source>
+        <translation>Die %1-Komponente der Richtung, in der %2 gleitet: wie schnell sich der Wälzpunkt von %3 bei der Geschwindigkeit 1 bewegt.</translation>
+    </message>
+    <message>
+        <source>a joint slides</source>
+        <translation>ein Gelenk gleitet</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a rack: its sign follows from the side of the pinion on which it is, and f is %2.</source>
+        <translation>Eingriff %1 ist eine Zahnstange: ihr Vorzeichen folgt aus der Seite des Ritzels, auf der sie liegt, und f ist %2.</translation>
+    </message>
+    <message>
+        <source>The sign of rack %1 follows from the side of the pinion&apos;s axis on which its teeth are.</source>
+        <translation>Das Vorzeichen der Zahnstange %1 folgt aus der Seite der Ritzelachse, auf der ihre Zähne liegen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a screw: its sign follows from the hand of the thread, and f is %2.</source>
+        <translation>Eingriff %1 ist eine Spindel: ihr Vorzeichen folgt aus der Gangrichtung des Gewindes, und f ist %2.</translation>
+    </message>
+    <message>
+        <source>The sign of screw %1 follows from the hand of its thread.</source>
+        <translation>Das Vorzeichen der Spindel %1 folgt aus der Gangrichtung ihres Gewindes.</translation>
+    </message>
+    <message>
+        <source>A length is tied to an angle by pi (meshes %1) and, round a loop, by a whole number of modules too: their rates would be sums of different powers of pi, for which there are no exact numbers here. State the racks of the loop all by their module or all by their pitch.</source>
+        <translation>Eine Länge ist mit einem Winkel über Pi verknüpft (Eingriffe %1) und, rings um eine Schleife, auch ohne Pi: die Geschwindigkeiten wären Summen verschiedener Potenzen von Pi, für die es hier keine exakten Zahlen gibt. Die Zahnstangen der Schleife alle mit dem Modul oder alle mit der Teilung angeben.</translation>
+    </message>
+    <message>
+        <source>The equation of motion</source>
+        <translation>Die Bewegungsgleichung</translation>
+    </message>
+    <message>
+        <source>Ratios of states with pi</source>
+        <translation>Übersetzungen von Schaltzuständen mit Pi</translation>
+    </message>
+    <message>
+        <source>Torques and forces</source>
+        <translation>Momente und Kräfte</translation>
+    </message>
+    <message>
+        <source>%1: sliding joints are not covered, and joints %2 slide.</source>
+        <translation>%1: Schubgelenke werden nicht behandelt, und die Gelenke %2 gleiten.</translation>
+    </message>
+    <message>
+        <source>one of its gears slides in their carrier, and gears of the kind %1 turn. What fits: a rack or a screw, or turning joints.</source>
+        <translation>eines ihrer Räder gleitet in ihrem Träger, und Räder der Art %1 drehen sich. Es passen: eine Zahnstange oder Spindel, oder Drehgelenke.</translation>
+    </message>
+    <message>
+        <source>it says %1, but both of its sides slide. What fits: one side that turns.</source>
+        <translation>angegeben ist %1, aber beide Seiten gleiten. Es passt: eine Seite, die sich dreht.</translation>
+    </message>
+    <message>
+        <source>it says %1, but both of its sides turn. What fits: one side that slides.</source>
+        <translation>angegeben ist %1, aber beide Seiten drehen sich. Es passt: eine Seite, die gleitet.</translation>
+    </message>
+    <message>
+        <source>the travel of a turn is not stated. What fits: a module or a pitch of the rack, the lead of the screw.</source>
+        <translation>der Weg je Umdrehung ist nicht angegeben. Es passen: Modul oder Teilung der Zahnstange, Steigung der Spindel.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its side that slides does not slide along the axis of the other one. What fits: parallel directions, or a rack.</source>
+        <translation>angegeben ist %1, aber die gleitende Seite gleitet nicht längs der Achse der anderen. Es passen: parallele Richtungen, oder eine Zahnstange.</translation>
+    </message>
+    <message>
+        <source>it says %1, but it slides along the axis of its pinion. What fits: a direction across it, or a screw.</source>
+        <translation>angegeben ist %1, aber sie gleitet längs der Achse ihres Ritzels. Es passen: eine Richtung quer dazu, oder eine Spindel.</translation>
+    </message>
+    <message>
+        <source>its teeth run along the slide and cannot push it. What fits: another helix angle or hand.</source>
+        <translation>ihre Zähne laufen längs der Führung und können sie nicht schieben. Es passen: ein anderer Schrägungswinkel oder eine andere Flankenrichtung.</translation>
+    </message>
+    <message>
+        <source>its pitch point lies %1 off the place where a pinion of the pitch radius %2 touches the rack. What fits: no pitch point.</source>
+        <translation>ihr Wälzpunkt liegt %1 neben der Stelle, an der ein Ritzel mit dem Wälzkreisradius %2 die Zahnstange berührt. Es passt: kein Wälzpunkt.</translation>
+    </message>
+    <message>
+        <source>sign of a rack</source>
+        <translation>Vorzeichen einer Zahnstange</translation>
+    </message>
+    <message>
+        <source>sign of a screw</source>
+        <translation>Vorzeichen einer Spindel</translation>
+    </message>
+    <message>
+        <source>Sliding joints, racks and screws have no symbols here.</source>
+        <translation>Schubgelenke, Zahnstangen und Spindeln haben hier keine Sinnbilder.</translation>
+    </message>
+    <message>
+        <source>One of its links turns, the other one slides across that axis.</source>
+        <translation>Eines der Glieder dreht sich, das andere gleitet quer zu dieser Achse.</translation>
+    </message>
+    <message>
+        <source>One of its links turns, the other one slides along that axis.</source>
+        <translation>Eines der Glieder dreht sich, das andere gleitet längs dieser Achse.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

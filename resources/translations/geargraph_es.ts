@@ -20352,6 +20352,202 @@ pares / portasatélites: %3</translation>
         <source>sign of gears on axes that cross</source>
         <translation>signo de ruedas en ejes que se cruzan</translation>
     </message>
+    <message>
+        <source>%1 joints, of which %2 slide</source>
+        <translation>%1 pares, de los que %2 se deslizan</translation>
+    </message>
+    <message>
+        <source>travel of link %1 per radian of link %2: %3 %4</source>
+        <translation>recorrido del eslabón %1 por radián del eslabón %2: %3 %4</translation>
+    </message>
+    <message>
+        <source>slides along axis %1</source>
+        <translation>se desliza a lo largo del eje %1</translation>
+    </message>
+    <message>
+        <source>The command %1 does not cover sliding joints, and &quot;%2&quot; has some.</source>
+        <translation>La orden %1 no trata pares deslizantes, y «%2» tiene alguno.</translation>
+    </message>
+    <message>
+        <source>%1 is like 9=20%2: an input&apos;s label and its travel in the document&apos;s unit.</source>
+        <translation>%1 es como 9=20%2: el número de una entrada y su recorrido en la unidad del documento.</translation>
+    </message>
+    <message>
+        <source>Joint %1 turns: its angle is given by --angle.</source>
+        <translation>El par %1 gira: su ángulo se da con --angle.</translation>
+    </message>
+    <message>
+        <source>Joint %1 slides: its travel is given by --travel.</source>
+        <translation>El par %1 se desliza: su recorrido se da con --travel.</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 %3</source>
+        <translation>%1 desplazado %2 %3</translation>
+    </message>
+    <message>
+        <source>the travel of an input that slides, in the document&apos;s unit; may be repeated</source>
+        <translation>el recorrido de una entrada que se desliza, en la unidad del documento; puede repetirse</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1 at %2 %3</source>
+        <translation>%1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>&quot;turning&quot; or &quot;sliding&quot;</source>
+        <translation>&quot;turning&quot; o &quot;sliding&quot;</translation>
+    </message>
+    <message>
+        <source>turning, sliding or nothing</source>
+        <translation>turning, sliding o nada</translation>
+    </message>
+    <message>
+        <source>rack</source>
+        <translation>cremallera</translation>
+    </message>
+    <message>
+        <source>Make %1 a rack and pinion</source>
+        <translation>Hacer de %1 una cremallera con piñón</translation>
+    </message>
+    <message>
+        <source>screw</source>
+        <translation>husillo</translation>
+    </message>
+    <message>
+        <source>Make %1 a screw and nut</source>
+        <translation>Hacer de %1 un husillo con tuerca</translation>
+    </message>
+    <message>
+        <source>Screw &quot;%1&quot; needs a lead: its advance in one turn.</source>
+        <translation>El husillo «%1» necesita un avance: lo que avanza en una vuelta.</translation>
+    </message>
+    <message>
+        <source>The lead of screw &quot;%1&quot; is above 0.</source>
+        <translation>El avance del husillo «%1» es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>Screw &quot;%1&quot; has a lead and a hand, no module and no helix angle: leave them out.</source>
+        <translation>El husillo «%1» tiene avance y sentido, pero ni módulo ni ángulo de hélice: quítelos.</translation>
+    </message>
+    <message>
+        <source>Rack &quot;%1&quot; has a module or a pitch along its motion, one of them.</source>
+        <translation>La cremallera «%1» tiene un módulo o un paso a lo largo de su movimiento, uno de los dos.</translation>
+    </message>
+    <message>
+        <source>The travel of a radian of &quot;%1&quot; is a ratio of two whole numbers up to 100,000: give it with fewer digits.</source>
+        <translation>El recorrido por radián de «%1» es una razón de dos enteros hasta 100.000: escríbalo con menos cifras.</translation>
+    </message>
+    <message>
+        <source>Only a screw has a lead; mesh &quot;%1&quot; is none.</source>
+        <translation>Solo un husillo tiene avance; el engrane «%1» no lo es.</translation>
+    </message>
+    <message>
+        <source>This format does not cover sliding joints, racks and screws.</source>
+        <translation>Este formato no trata pares deslizantes, cremalleras ni husillos.</translation>
+    </message>
+    <message>
+        <source>%1 slides: its screw has no angular part.</source>
+        <translation>%1 se desliza: su torsor no tiene parte angular.</translation>
+    </message>
+    <message>
+        <source>The %1 component of the direction in which %2 slides: how fast the pitch point of %3 moves for one unit of speed.</source>
+        <translation>La componente %1 de la dirección en que se desliza %2: con qué rapidez se mueve el punto primitivo de %3 por unidad de velocidad.</translation>
+    </message>
+    <message>
+        <source>a joint slides</source>
+        <translation>un par se desliza</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a rack: its sign follows from the side of the pinion on which it is, and f is %2.</source>
+        <translation>El engrane %1 es una cremallera: su signo se sigue del lado del piñón en que está, y f es %2.</translation>
+    </message>
+    <message>
+        <source>The sign of rack %1 follows from the side of the pinion&apos;s axis on which its teeth are.</source>
+        <translation>El signo de la cremallera %1 se sigue del lado del eje del piñón en que están sus dientes.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a screw: its sign follows from the hand of the thread, and f is %2.</source>
+        <translation>El engrane %1 es un husillo: su signo se sigue del sentido de la rosca, y f es %2.</translation>
+    </message>
+    <message>
+        <source>The sign of screw %1 follows from the hand of its thread.</source>
+        <translation>El signo del husillo %1 se sigue del sentido de su rosca.</translation>
+    </message>
+    <message>
+        <source>A length is tied to an angle by pi (meshes %1) and, round a loop, by a whole number of modules too: their rates would be sums of different powers of pi, for which there are no exact numbers here. State the racks of the loop all by their module or all by their pitch.</source>
+        <translation>Una longitud está ligada a un ángulo por pi (engranes %1) y, alrededor de un lazo, también sin pi: las velocidades serían sumas de potencias distintas de pi, para las que aquí no hay números exactos. Dé todas las cremalleras del lazo por su módulo o todas por su paso.</translation>
+    </message>
+    <message>
+        <source>The equation of motion</source>
+        <translation>La ecuación de movimiento</translation>
+    </message>
+    <message>
+        <source>Ratios of states with pi</source>
+        <translation>Relaciones de estados con pi</translation>
+    </message>
+    <message>
+        <source>Torques and forces</source>
+        <translation>Pares y fuerzas</translation>
+    </message>
+    <message>
+        <source>%1: sliding joints are not covered, and joints %2 slide.</source>
+        <translation>%1: no se tratan pares deslizantes, y los pares %2 se deslizan.</translation>
+    </message>
+    <message>
+        <source>one of its gears slides in their carrier, and gears of the kind %1 turn. What fits: a rack or a screw, or turning joints.</source>
+        <translation>una de sus ruedas se desliza en su portador, y las ruedas de la clase %1 giran. Sirve: una cremallera o un husillo, o pares giratorios.</translation>
+    </message>
+    <message>
+        <source>it says %1, but both of its sides slide. What fits: one side that turns.</source>
+        <translation>dice %1, pero sus dos lados se deslizan. Sirve: un lado que gire.</translation>
+    </message>
+    <message>
+        <source>it says %1, but both of its sides turn. What fits: one side that slides.</source>
+        <translation>dice %1, pero sus dos lados giran. Sirve: un lado que se deslice.</translation>
+    </message>
+    <message>
+        <source>the travel of a turn is not stated. What fits: a module or a pitch of the rack, the lead of the screw.</source>
+        <translation>no se indica el recorrido de una vuelta. Sirve: un módulo o un paso de la cremallera, el avance del husillo.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its side that slides does not slide along the axis of the other one. What fits: parallel directions, or a rack.</source>
+        <translation>dice %1, pero el lado que se desliza no lo hace a lo largo del eje del otro. Sirve: direcciones paralelas, o una cremallera.</translation>
+    </message>
+    <message>
+        <source>it says %1, but it slides along the axis of its pinion. What fits: a direction across it, or a screw.</source>
+        <translation>dice %1, pero se desliza a lo largo del eje de su piñón. Sirve: una dirección transversal, o un husillo.</translation>
+    </message>
+    <message>
+        <source>its teeth run along the slide and cannot push it. What fits: another helix angle or hand.</source>
+        <translation>sus dientes corren a lo largo de la guía y no pueden empujarla. Sirve: otro ángulo de hélice u otro sentido.</translation>
+    </message>
+    <message>
+        <source>its pitch point lies %1 off the place where a pinion of the pitch radius %2 touches the rack. What fits: no pitch point.</source>
+        <translation>su punto primitivo está a %1 del lugar en que un piñón de radio primitivo %2 toca la cremallera. Sirve: ningún punto primitivo.</translation>
+    </message>
+    <message>
+        <source>sign of a rack</source>
+        <translation>signo de una cremallera</translation>
+    </message>
+    <message>
+        <source>sign of a screw</source>
+        <translation>signo de un husillo</translation>
+    </message>
+    <message>
+        <source>Sliding joints, racks and screws have no symbols here.</source>
+        <translation>Los pares deslizantes, las cremalleras y los husillos no tienen símbolos aquí.</translation>
+    </message>
+    <message>
+        <source>One of its links turns, the other one slides across that axis.</source>
+        <translation>Uno de sus eslabones gira, el otro se desliza a través de ese eje.</translation>
+    </message>
+    <message>
+        <source>One of its links turns, the other one slides along that axis.</source>
+        <translation>Uno de sus eslabones gira, el otro se desliza a lo largo de ese eje.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -20350,6 +20350,202 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>sign of gears on axes that cross</source>
         <translation>çapraz eksenlerdeki dişlilerin işareti</translation>
     </message>
+    <message>
+        <source>%1 joints, of which %2 slide</source>
+        <translation>%1 mafsal, %2 tanesi kayar</translation>
+    </message>
+    <message>
+        <source>travel of link %1 per radian of link %2: %3 %4</source>
+        <translation>uzuv %2 bir radyan dönünce uzuv %1 yolu: %3 %4</translation>
+    </message>
+    <message>
+        <source>slides along axis %1</source>
+        <translation>%1 ekseni boyunca kayar</translation>
+    </message>
+    <message>
+        <source>The command %1 does not cover sliding joints, and &quot;%2&quot; has some.</source>
+        <translation>%1 komutu kayar mafsalları kapsamaz, &quot;%2&quot; belgesinde ise var.</translation>
+    </message>
+    <message>
+        <source>%1 is like 9=20%2: an input&apos;s label and its travel in the document&apos;s unit.</source>
+        <translation>%1, 9=20%2 gibidir: bir girişin numarası ve belgenin birimiyle yolu.</translation>
+    </message>
+    <message>
+        <source>Joint %1 turns: its angle is given by --angle.</source>
+        <translation>%1 mafsalı döner: açısı --angle ile verilir.</translation>
+    </message>
+    <message>
+        <source>Joint %1 slides: its travel is given by --travel.</source>
+        <translation>%1 mafsalı kayar: yolu --travel ile verilir.</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 %3</source>
+        <translation>%1, %2 %3 kaydı</translation>
+    </message>
+    <message>
+        <source>the travel of an input that slides, in the document&apos;s unit; may be repeated</source>
+        <translation>kayan bir girişin yolu, belgenin birimiyle; yinelenebilir</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1 at %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>&quot;turning&quot; or &quot;sliding&quot;</source>
+        <translation>&quot;turning&quot; ya da &quot;sliding&quot;</translation>
+    </message>
+    <message>
+        <source>turning, sliding or nothing</source>
+        <translation>turning, sliding ya da boş</translation>
+    </message>
+    <message>
+        <source>rack</source>
+        <translation>kremayer</translation>
+    </message>
+    <message>
+        <source>Make %1 a rack and pinion</source>
+        <translation>%1 eşini kremayer ve pinyon yap</translation>
+    </message>
+    <message>
+        <source>screw</source>
+        <translation>vida</translation>
+    </message>
+    <message>
+        <source>Make %1 a screw and nut</source>
+        <translation>%1 eşini vida ve somun yap</translation>
+    </message>
+    <message>
+        <source>Screw &quot;%1&quot; needs a lead: its advance in one turn.</source>
+        <translation>&quot;%1&quot; vidasına bir hatve gerekir: bir turdaki ilerlemesi.</translation>
+    </message>
+    <message>
+        <source>The lead of screw &quot;%1&quot; is above 0.</source>
+        <translation>&quot;%1&quot; vidasının hatvesi 0’dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>Screw &quot;%1&quot; has a lead and a hand, no module and no helix angle: leave them out.</source>
+        <translation>&quot;%1&quot; vidasının hatvesi ve yönü vardır, modülü ve helis açısı yoktur: onları çıkarın.</translation>
+    </message>
+    <message>
+        <source>Rack &quot;%1&quot; has a module or a pitch along its motion, one of them.</source>
+        <translation>&quot;%1&quot; kremayerinin hareketi boyunca ya modülü ya adımı vardır, ikisinden biri.</translation>
+    </message>
+    <message>
+        <source>The travel of a radian of &quot;%1&quot; is a ratio of two whole numbers up to 100,000: give it with fewer digits.</source>
+        <translation>&quot;%1&quot; için bir radyandaki yol, 100.000’e kadar iki tam sayının oranıdır: daha az basamakla yazın.</translation>
+    </message>
+    <message>
+        <source>Only a screw has a lead; mesh &quot;%1&quot; is none.</source>
+        <translation>Yalnız vidanın hatvesi vardır; &quot;%1&quot; eşi vida değildir.</translation>
+    </message>
+    <message>
+        <source>This format does not cover sliding joints, racks and screws.</source>
+        <translation>Bu biçim kayar mafsalları, kremayerleri ve vidaları kapsamaz.</translation>
+    </message>
+    <message>
+        <source>%1 slides: its screw has no angular part.</source>
+        <translation>%1 kayar: vidasının açısal kısmı yoktur.</translation>
+    </message>
+    <message>
+        <source>The %1 component of the direction in which %2 slides: how fast the pitch point of %3 moves for one unit of speed.</source>
+        <translation>%2 için kayma yönünün %1 bileşeni: birim hızda %3 yuvarlanma noktasının hızı.</translation>
+    </message>
+    <message>
+        <source>a joint slides</source>
+        <translation>bir mafsal kayıyor</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a rack: its sign follows from the side of the pinion on which it is, and f is %2.</source>
+        <translation>%1 eşi bir kremayerdir: işareti pinyonun hangi yanında olduğundan çıkar ve f %2 olur.</translation>
+    </message>
+    <message>
+        <source>The sign of rack %1 follows from the side of the pinion&apos;s axis on which its teeth are.</source>
+        <translation>%1 kremayerinin işareti, dişlerinin pinyon ekseninin hangi yanında olduğundan çıkar.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a screw: its sign follows from the hand of the thread, and f is %2.</source>
+        <translation>%1 eşi bir vidadır: işareti dişin yönünden çıkar ve f %2 olur.</translation>
+    </message>
+    <message>
+        <source>The sign of screw %1 follows from the hand of its thread.</source>
+        <translation>%1 vidasının işareti dişinin yönünden çıkar.</translation>
+    </message>
+    <message>
+        <source>A length is tied to an angle by pi (meshes %1) and, round a loop, by a whole number of modules too: their rates would be sums of different powers of pi, for which there are no exact numbers here. State the racks of the loop all by their module or all by their pitch.</source>
+        <translation>Bir uzunluk bir açıya pi ile (%1 eşleri), bir çevrim boyunca ise pi olmadan da bağlı: hızlar pi’nin farklı kuvvetlerinin toplamı olurdu ve burada bunların kesin sayıları yoktur. Çevrimdeki kremayerlerin hepsini modülle ya da hepsini adımla verin.</translation>
+    </message>
+    <message>
+        <source>The equation of motion</source>
+        <translation>Hareket denklemi</translation>
+    </message>
+    <message>
+        <source>Ratios of states with pi</source>
+        <translation>Pi içeren durum oranları</translation>
+    </message>
+    <message>
+        <source>Torques and forces</source>
+        <translation>Momentler ve kuvvetler</translation>
+    </message>
+    <message>
+        <source>%1: sliding joints are not covered, and joints %2 slide.</source>
+        <translation>%1: kayar mafsallar kapsanmaz, %2 mafsalları ise kayar.</translation>
+    </message>
+    <message>
+        <source>one of its gears slides in their carrier, and gears of the kind %1 turn. What fits: a rack or a screw, or turning joints.</source>
+        <translation>dişlilerinden biri taşıyıcıda kayıyor, %1 türünde dişliler ise döner. Uyan: bir kremayer ya da vida, veya döner mafsallar.</translation>
+    </message>
+    <message>
+        <source>it says %1, but both of its sides slide. What fits: one side that turns.</source>
+        <translation>%1 diyor, ama iki yanı da kayıyor. Uyan: dönen bir yan.</translation>
+    </message>
+    <message>
+        <source>it says %1, but both of its sides turn. What fits: one side that slides.</source>
+        <translation>%1 diyor, ama iki yanı da dönüyor. Uyan: kayan bir yan.</translation>
+    </message>
+    <message>
+        <source>the travel of a turn is not stated. What fits: a module or a pitch of the rack, the lead of the screw.</source>
+        <translation>bir turun yolu verilmemiş. Uyan: kremayerin modülü ya da adımı, vidanın hatvesi.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its side that slides does not slide along the axis of the other one. What fits: parallel directions, or a rack.</source>
+        <translation>%1 diyor, ama kayan yan öbürünün ekseni boyunca kaymıyor. Uyan: paralel doğrultular ya da bir kremayer.</translation>
+    </message>
+    <message>
+        <source>it says %1, but it slides along the axis of its pinion. What fits: a direction across it, or a screw.</source>
+        <translation>%1 diyor, ama pinyonunun ekseni boyunca kayıyor. Uyan: ona çapraz bir doğrultu ya da bir vida.</translation>
+    </message>
+    <message>
+        <source>its teeth run along the slide and cannot push it. What fits: another helix angle or hand.</source>
+        <translation>dişleri kayma doğrultusu boyunca uzanıyor ve onu itemez. Uyan: başka bir helis açısı ya da yönü.</translation>
+    </message>
+    <message>
+        <source>its pitch point lies %1 off the place where a pinion of the pitch radius %2 touches the rack. What fits: no pitch point.</source>
+        <translation>yuvarlanma noktası, yuvarlanma yarıçapı %2 olan pinyonun kremayere değdiği yerden %1 uzakta. Uyan: yuvarlanma noktası vermemek.</translation>
+    </message>
+    <message>
+        <source>sign of a rack</source>
+        <translation>kremayerin işareti</translation>
+    </message>
+    <message>
+        <source>sign of a screw</source>
+        <translation>vidanın işareti</translation>
+    </message>
+    <message>
+        <source>Sliding joints, racks and screws have no symbols here.</source>
+        <translation>Kayar mafsalların, kremayerlerin ve vidaların burada simgesi yoktur.</translation>
+    </message>
+    <message>
+        <source>One of its links turns, the other one slides across that axis.</source>
+        <translation>Uzuvlarından biri döner, öbürü o eksene çapraz kayar.</translation>
+    </message>
+    <message>
+        <source>One of its links turns, the other one slides along that axis.</source>
+        <translation>Uzuvlarından biri döner, öbürü o eksen boyunca kayar.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

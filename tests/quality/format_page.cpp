@@ -67,9 +67,11 @@ std::string valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return "whole number from 1 to 100,000";
     case MemberValue::meshKind:
-      return "`external`, `internal`, `bevel`, `belt`, `pins`, `crossedHelical` or `worm`";
+      return "`external`, `internal`, `bevel`, `belt`, `pins`, `rack`, `screw`, `crossedHelical` or `worm`";
     case MemberValue::hand:
       return "`right` or `left`";
+    case MemberValue::jointKind:
+      return "`turning` or `sliding`";
     case MemberValue::couplingKind:
       return "`brake` or `clutch`";
     case MemberValue::sharing:

@@ -105,11 +105,14 @@ std::string typeOf(DocumentPart part, const MemberInfo& info) {
     case MemberValue::teeth:
       return reference("teeth");
     case MemberValue::meshKind:
-      return choice(std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt,
-                               MeshKind::pins, MeshKind::crossedHelical, MeshKind::worm},
-                    meshKindName);
+      return choice(
+          std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt, MeshKind::pins,
+                     MeshKind::rack, MeshKind::screw, MeshKind::crossedHelical, MeshKind::worm},
+          meshKindName);
     case MemberValue::hand:
       return choice(std::array{Hand::right, Hand::left}, handName);
+    case MemberValue::jointKind:
+      return choice(std::array{JointKind::turning, JointKind::sliding}, jointKindName);
     case MemberValue::sharing:
       return choice(std::array{LoadSharing::none, LoadSharing::stiffness}, loadSharingName);
     case MemberValue::couplingKind:
@@ -234,7 +237,7 @@ std::string rulesOf(DocumentPart part) {
       "anyOf": [
         {"required": ["tailTeeth", "headTeeth"]},
         {"required": ["tailDiameter", "headDiameter"]},
-        {"required": ["kind"], "properties": {"kind": {"const": "pins"}}}
+        {"required": ["kind"], "properties": {"kind": {"enum": ["pins", "screw"]}}}
       ])";
     case DocumentPart::gearDefaults:
       return R"(,

@@ -83,6 +83,8 @@ QString SchematicView::message() const {
         .arg(kMaxDrawnLinks - 1)
         .arg(mechanism().links.size() - 1);
   }
+  if (hasSlides(mechanism()) && !m_schematic->notes.empty())
+    return QString::fromStdString(m_schematic->notes.front());
   if (mechanism().links.size() == 1) return tr("Draw the first shaft: L, then drag");
   return tr("No turning joint ties a link to the ground yet. Draw a shaft: L, then drag");
 }

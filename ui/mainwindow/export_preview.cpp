@@ -83,7 +83,7 @@ Written write(const ExportPreviewRequest& request, const Exporter& exporter, con
   ExportContext context(exportSourceOf(request.mechanism, request.snapshot, request.document, heard));
   ExportTarget target{QFile::encodeName(path).toStdString()};
   target.progress = progress;
-  const ExportResult result = exporter.write(context, options, target, stop);
+  const ExportResult result = writeExport(exporter, context, options, target, stop);
   const auto* error = std::get_if<ExportError>(&result);
   return {error == nullptr ? QString() : reasonOf(*error, *heard), heard->notes};
 }

@@ -27,6 +27,13 @@ namespace {
 
 /// Which axes a kind of mesh needs.
 QString axesTip(MeshKind kind) {
+  if (slides(kind)) {
+    return pairKind(kind).hasTeeth
+               ? QCoreApplication::translate("MeshForm",
+                                             "One of its links turns, the other one slides across that axis.")
+               : QCoreApplication::translate("MeshForm",
+                                             "One of its links turns, the other one slides along that axis.");
+  }
   if (hasSkewAxes(kind)) {
     return pairKind(kind).isThreaded
                ? QCoreApplication::translate("MeshForm",

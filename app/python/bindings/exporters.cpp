@@ -86,7 +86,7 @@ std::vector<std::string> writeExportOf(const Snapshot& self, const std::string& 
   const Place place{path, mayOverwrite, folder};
   const ExportResult result = interruptible([&](const std::stop_token& stop) {
     ExportContext context(sourceOf(self, place, heard));
-    return exporter->write(context, given, {place.path, place.mayOverwrite}, stop);
+    return writeExport(*exporter, context, given, {place.path, place.mayOverwrite}, stop);
   });
   if (const auto* error = std::get_if<ExportError>(&result)) raiseExportError(*error, heard);
   return heard.notes;

@@ -205,6 +205,11 @@ class TurningJoint(_Labelled):
         return exact(self._data.get("offset", 0))
 
     @property
+    def kind(self) -> str:
+        """"turning" or "sliding": along its axis then, with limits, offset and speeds in lengths."""
+        return str(self._data.get("kind", "turning"))
+
+    @property
     def limits(self) -> Tuple[Optional[Fraction], Optional[Fraction]]:
         """How far it may turn from the reference pose, degrees; None for an open end."""
         low, high = self._data.get("limits", (None, None))
@@ -342,7 +347,8 @@ class GearMesh(_Labelled):
     @property
     def module(self) -> Optional[Fraction]:
         """The normal module; with the centre distance it fixes the sum of the profile shifts. Of a
-        bevel pair without ``pitchPoint``: at the large end; of a worm: in its axial section."""
+        bevel pair without ``pitchPoint``: at the large end; of a worm: in its axial section; of
+        a rack, which needs it or a ``pitch``: that of the rack along its motion."""
         value = self._data.get("module")
         return None if value is None else exact(value)
 
@@ -360,7 +366,8 @@ class GearMesh(_Labelled):
 
     @property
     def pitch(self) -> Optional[Fraction]:
-        """Of a belt: the length of one of its teeth."""
+        """Of a belt: the length of one of its teeth; of a rack the same, along its motion, instead
+        of a ``module``."""
         value = self._data.get("pitch")
         return None if value is None else exact(value)
 
@@ -375,6 +382,12 @@ class GearMesh(_Labelled):
     def head_diameter(self) -> Optional[Fraction]:
         """The same of the second pulley."""
         value = self._data.get("headDiameter")
+        return None if value is None else exact(value)
+
+    @property
+    def lead(self) -> Optional[Fraction]:
+        """Of a screw, which needs it: its advance in one turn."""
+        value = self._data.get("lead")
         return None if value is None else exact(value)
 
     # End of members.

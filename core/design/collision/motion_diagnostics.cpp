@@ -36,7 +36,7 @@ std::string rounded(double value) {
 
 std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   const MatroidAnalysis* matroid = snapshot.matroid();
-  if (matroid == nullptr || !matroid->solution) return std::nullopt;
+  if (matroid == nullptr || !matroid->solution || hasSlides(*snapshot.mechanism)) return std::nullopt;
   JointRates rates{
       *snapshot.tree, turningLines(snapshot.kinematics->placement()), matroid->solution->rates, {}};
   if (rates.rates.size() * matroid->choice.joints.size() <= kMaxExactGains) {

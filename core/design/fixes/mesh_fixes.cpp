@@ -61,6 +61,7 @@ void addKinds(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>
   for (const MeshKind kind : meshKinds()) {
     // A gear that does not fit is not meant as a belt.
     if (mesh.kind == kind || !mesh.kind || touches(kind) != touches(*mesh.kind)) continue;
+    if (slides(kind) != slides(*mesh.kind)) continue;
     fixes.push_back(kindFix(mechanism, mesh, kind));
   }
 }
@@ -73,7 +74,7 @@ std::vector<Fix> geometryFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   if (diagnostic.detail == Detail::skewAxes) {
     std::vector<Fix> crossing;
     for (const MeshKind kind : meshKinds()) {
-      if (hasSkewAxes(kind)) crossing.push_back(kindFix(mechanism, *mesh, kind));
+      if (hasSkewAxes(kind) && !slides(kind)) crossing.push_back(kindFix(mechanism, *mesh, kind));
     }
     crossing.push_back(removalOf(snapshot, mesh->id));
     return crossing;

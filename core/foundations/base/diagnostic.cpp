@@ -40,6 +40,8 @@ constexpr std::array kCodes = {
     CodeEntry{Code::deadJoint, "dead-joint", Severity::warning},
     CodeEntry{Code::idleJoint, "idle-joint", Severity::info},
     CodeEntry{Code::noMeshes, "no-meshes", Severity::info},
+    CodeEntry{Code::piMixed, "pi-mixed", Severity::error},
+    CodeEntry{Code::slidesNotCovered, "slides-not-covered", Severity::error},
     CodeEntry{Code::invalidInputs, "invalid-inputs", Severity::error},
     CodeEntry{Code::splitAxis, "split-axis", Severity::warning},
     CodeEntry{Code::mergedAxes, "merged-axes", Severity::info},

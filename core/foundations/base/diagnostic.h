@@ -38,6 +38,8 @@ enum class Code {
   deadJoint,
   idleJoint,
   noMeshes,
+  piMixed,
+  slidesNotCovered,  ///< of an analysis that does not know sliding joints
   invalidInputs,
   splitAxis,
   mergedAxes,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <stop_token>
 
 #include "core/foundations/base/contract.h"
@@ -57,6 +58,15 @@ class ModularDoubleField {
     return {a.residue == 0 ? 0 : a.number / b.number, m_prime.multiply(a.residue, inverse(b.residue))};
   }
   [[nodiscard]] Value negated(const Value& a) const { return {-a.number, m_prime.negate(a.residue)}; }
+  /// value pi^power, with a residue drawn at random for pi: as pi is transcendental, what is not 0 with it is
+  /// 0 there by chance only.
+  [[nodiscard]] Value timesPi(Value value, int power) const {
+    const PrimeField::Residue drawn = ResidueStream(m_prime, 0x7069U).next();
+    const PrimeField::Residue factor = power < 0 ? m_prime.inverse(drawn) : drawn;
+    for (int i = 0; i < std::abs(power); ++i) value.residue = m_prime.multiply(value.residue, factor);
+    value.number *= std::pow(std::numbers::pi, power);
+    return value;
+  }
   [[nodiscard]] double pivotWeight(const Value& value) const {
     // A double that cancelled to 0 beside a residue that is not: light, but fit where nothing else is.
     constexpr double kLightest = 1e-300;
@@ -104,6 +114,16 @@ class ModularDoubleField {
 
   PrimeField m_prime;
 };
+
+/// whole pi^power in a field that has pi; else the whole number alone, for systems whose unknowns are counted
+/// in powers of pi (KinematicModel::piOf()).
+template <class Field>
+[[nodiscard]] typename Field::Value weightIn(const Field& field, std::int64_t whole, int power) {
+  if constexpr (requires { field.timesPi(field.one(), power); }) {
+    if (power != 0) return field.timesPi(field.fromInteger(whole), power);
+  }
+  return field.fromInteger(whole);
+}
 
 /// Exact fractions.
 class RationalField {

@@ -18,13 +18,15 @@ AssembledTrain assembledTrain(const Mechanism& mechanism, const Placement& place
   assembled.train = toothedTrain(mechanism, wheels);
   assembled.wheels = std::move(wheels);
   assembled.arrangement = addBodies(mechanism, placement, assembled.train, stop);
+  // Bodies are planned about axes of rotation: beside a slide they would not hold what they seem to hold.
+  if (hasSlides(mechanism)) assembled.train.bodies.clear();
   return assembled;
 }
 
 Diagnostics diagnosticsOf(const Mechanism& mechanism, const Placement& placement,
                           const AssembledTrain& assembled, const std::stop_token& stop) {
   Diagnostics found = wheelDiagnostics(mechanism, placement, assembled.train, stop);
-  if (stop.stop_requested() || assembled.train.gears.empty()) return found;
+  if (stop.stop_requested() || assembled.train.gears.empty() || hasSlides(mechanism)) return found;
   append(found, bodyDiagnostics(mechanism, assembled.train));
   append(found, placeDiagnostics(mechanism, placement, assembled.wheels, assembled.train, stop));
   return found;

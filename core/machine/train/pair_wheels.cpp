@@ -11,13 +11,15 @@ constexpr PairWheels kTwoCones{GearKind::bevel, GearKind::bevel};
 constexpr PairWheels kTwoPulleys{GearKind::pulley, GearKind::pulley};
 constexpr PairWheels kWormAndWheel{GearKind::worm, GearKind::wormWheel};
 static_assert(kMaxStarts == kMaxWormStarts);
+/// Of pins, and of racks and screws, of which no solids are made.
 constexpr PairWheels kNoWheels{.smaller = GearKind::pulley, .larger = GearKind::pulley, .none = true};
 
 }  // namespace
 
 KindTable<MeshKind, PairWheels>& pairWheels() {
   static constinit KindTable<MeshKind, PairWheels> table(&kTwoDiscs, &kDiscInRing, &kTwoCones, &kTwoPulleys,
-                                                         &kNoWheels, &kTwoDiscs, &kWormAndWheel);
+                                                         &kNoWheels, &kNoWheels, &kNoWheels, &kTwoDiscs,
+                                                         &kWormAndWheel);
   return table;
 }
 

@@ -94,6 +94,17 @@ class FieldReader {
     kind = meshKindOf(m_from, field.info().name);
   }
   template <class Member>
+  void read(const Member& field, JointKind& kind) const {
+    const auto value = m_from.member(field.info().name);
+    if (!value) return;
+    const auto named = value->is(JsonKind::string) ? jointKindFrom(value->string()) : std::nullopt;
+    if (named) {
+      kind = *named;
+    } else {
+      m_from.wrong(field.info().name, *value, toTranslate("\"turning\" or \"sliding\""));
+    }
+  }
+  template <class Member>
   void read(const Member& field, std::optional<Hand>& hand) const {
     hand = handOf(m_from, field.info().name);
   }

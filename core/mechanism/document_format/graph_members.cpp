@@ -24,6 +24,7 @@ MemberType typeOf(MemberValue value) {
     case MemberValue::shortText:
     case MemberValue::meshKind:
     case MemberValue::hand:
+    case MemberValue::jointKind:
     case MemberValue::couplingKind:
     case MemberValue::sharing:
       return MemberType::text;

@@ -124,6 +124,10 @@ class MechanismWriter {
     if (kind) m_json.member(field.info().name, meshKindName(*kind));
   }
   template <class Member, class Object>
+  void member(const Member& field, const Object& /*object*/, JointKind kind) {
+    if (kind != JointKind::turning) m_json.member(field.info().name, jointKindName(kind));
+  }
+  template <class Member, class Object>
   void member(const Member& field, const Object& /*object*/, const std::optional<Hand>& hand) {
     if (hand) m_json.member(field.info().name, handName(*hand));
   }

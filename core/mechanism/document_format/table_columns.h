@@ -48,6 +48,7 @@ constexpr bool hasOwnColumn(MemberValue value) {
     case MemberValue::teeth:
     case MemberValue::meshKind:
     case MemberValue::hand:
+    case MemberValue::jointKind:
     case MemberValue::sharing:
     case MemberValue::number:
       return true;
@@ -204,6 +205,8 @@ void fieldColumns(Row& row, const Member& field, Object& object) {
     row.meshKind(info.name, value);
   } else if constexpr (std::is_same_v<Value, std::optional<Hand>>) {
     row.hand(info.name, value);
+  } else if constexpr (std::is_same_v<Value, JointKind>) {
+    row.jointKind(info.name, value);
   } else if constexpr (std::is_same_v<Value, std::optional<LoadSharing>>) {
     row.sharing(info.name, value);
   } else if constexpr (std::is_same_v<Value, SharedOptional<LinkMass>>) {

@@ -178,6 +178,17 @@ void TableRowReader::hand(std::string_view column, std::optional<Hand>& hand) {
   if (!hand) unexpected(column, toTranslate("right, left or nothing"));
 }
 
+void TableRowReader::jointKind(std::string_view column, JointKind& kind) {
+  const std::string& text = cell(column);
+  if (text.empty()) return;
+  const std::optional<JointKind> named = jointKindFrom(text);
+  if (named) {
+    kind = *named;
+  } else {
+    unexpected(column, toTranslate("turning, sliding or nothing"));
+  }
+}
+
 void TableRowReader::sharing(std::string_view column, std::optional<LoadSharing>& sharing) {
   const std::string& text = cell(column);
   if (text.empty()) return;

@@ -62,6 +62,7 @@ class TableRowReader {
   void teeth(std::string_view column, int& teeth);
   void meshKind(std::string_view column, std::optional<MeshKind>& kind);
   void hand(std::string_view column, std::optional<Hand>& hand);
+  void jointKind(std::string_view column, JointKind& kind);
   void sharing(std::string_view column, std::optional<LoadSharing>& sharing);
   void flag(std::string_view column, bool& flag);
   /// What a load does, and where a balance acts: several cells together.

@@ -81,6 +81,9 @@ class TableRowWriter {
   void hand(std::string_view column, const std::optional<Hand>& hand) {
     if (hand) cell(column, std::string(handName(*hand)));
   }
+  void jointKind(std::string_view column, JointKind kind) {
+    if (kind != JointKind::turning) cell(column, std::string(jointKindName(kind)));
+  }
   void sharing(std::string_view column, const std::optional<LoadSharing>& sharing) {
     if (sharing) cell(column, std::string(loadSharingName(*sharing)));
   }

@@ -96,6 +96,32 @@ constexpr PairKind kPins{.name = "pins",
                          .other = std::nullopt,
                          .since = 2};
 
+constexpr PairKind kRack{.name = "rack",
+                         .word = toTranslate("rack"),
+                         .makeIt = toTranslate("Make %1 a rack and pinion"),
+                         .axes = LinePosition::skew,
+                         .sense = 0,
+                         .touches = false,
+                         .slides = true,
+                         .distance = sumOf,
+                         .distanceForm = sumForm,
+                         .secondCentral = noSecond,
+                         .other = std::nullopt,
+                         .since = 2};
+
+constexpr PairKind kScrew{.name = "screw",
+                          .word = toTranslate("screw"),
+                          .makeIt = toTranslate("Make %1 a screw and nut"),
+                          .sense = 0,
+                          .touches = false,
+                          .hasTeeth = false,
+                          .slides = true,
+                          .distance = sumOf,
+                          .distanceForm = looseForm,
+                          .secondCentral = noSecond,
+                          .other = std::nullopt,
+                          .since = 2};
+
 constexpr PairKind kCrossedHelical{.name = "crossedHelical",
                                    .word = toTranslate("crossed helical"),
                                    .makeIt = toTranslate("Make %1 crossed helical"),
@@ -132,7 +158,7 @@ MeshKind firstKind(const Fits& fits) {
 
 KindTable<MeshKind, PairKind>& pairKinds() {
   static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel, &kBelt, &kPins,
-                                                       &kCrossedHelical, &kWorm);
+                                                       &kRack, &kScrew, &kCrossedHelical, &kWorm);
   return table;
 }
 
@@ -195,6 +221,10 @@ bool touches(MeshKind kind) {
 
 bool turnsAlike(MeshKind kind) {
   return pairKind(kind).sense > 0;
+}
+
+bool slides(MeshKind kind) {
+  return pairKind(kind).slides;
 }
 
 int distanceTeeth(MeshKind kind, int tailTeeth, int headTeeth) {

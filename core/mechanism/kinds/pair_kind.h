@@ -18,6 +18,8 @@ enum class MeshKind : std::uint8_t {
   bevel,
   belt,
   pins,
+  rack,
+  screw,
   crossedHelical,
   worm,
 };
@@ -25,7 +27,7 @@ enum class MeshKind : std::uint8_t {
 }  // namespace geargraph
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 7;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 9;
 
 namespace geargraph {
 
@@ -61,8 +63,11 @@ struct PairKind {
   /// Its wheels touch in a pitch point, which with the axes makes their radii. False: their sense does not
   /// depend on where the axes are, and their distance is free (belts, pins).
   bool touches = true;
-  bool hasTeeth = true;     ///< false: it turns 1 : 1, and documents leave its teeth out
-  bool canCross = false;    ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
+  bool hasTeeth = true;   ///< false: it turns 1 : 1, and documents leave its teeth out
+  bool canCross = false;  ///< a strand may cross over, which reverses the sense (GearMesh::crossed)
+  /// One of its sides slides along a line, the other one turns: its weights tie a travel to an angle
+  /// (weightsOf()). Else both turn.
+  bool slides = false;
   bool isThreaded = false;  ///< the wheel with fewer teeth is a worm: they are its starts, at most kMaxStarts
   /// The centre distance of pitch radii. Unused where axes intersect.
   double (*distance)(double tailRadius, double headRadius) = nullptr;
@@ -108,6 +113,8 @@ constexpr MeshKind kUsualKind = MeshKind::external;
 [[nodiscard]] bool touches(MeshKind kind);
 /// Do both gears turn in the same direction, whatever their pitch point (PairKind::sense)?
 [[nodiscard]] bool turnsAlike(MeshKind kind);
+/// Does one of its sides slide (PairKind::slides)?
+[[nodiscard]] bool slides(MeshKind kind);
 /// Teeth whose half is the centre distance in modules; 0 where no pair has such teeth.
 [[nodiscard]] int distanceTeeth(MeshKind kind, int tailTeeth, int headTeeth);
 

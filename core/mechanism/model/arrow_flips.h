@@ -14,12 +14,13 @@ inline void flip(TurningJoint& joint) {
 }
 /// Exchanges tail and head with their teeth and wheels. The helix, which is that of the tail's gear, becomes
 /// that of the other one: of the opposite hand, if the pair is not (said to be) an internal one; of axes that
-/// cross (at right angles) the rest to 90 degrees, of the same hand.
+/// cross (at right angles) the rest to 90 degrees, of the same hand. That of a rack is its pinion's and
+/// stays.
 inline void flip(GearMesh& mesh) {
   std::swap(mesh.tail, mesh.head);
   std::swap(mesh.tailTeeth, mesh.headTeeth);
   std::swap(mesh.tailWheel, mesh.headWheel);
-  if (!mesh.helixAngle || turnsAlike(saidKind(mesh))) return;
+  if (!mesh.helixAngle || turnsAlike(saidKind(mesh)) || slides(saidKind(mesh))) return;
   if (hasSkewAxes(saidKind(mesh))) {
     mesh.helixAngle = Number(Rational(90) - mesh.helixAngle->exact());
     return;

@@ -324,15 +324,30 @@ Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, i
   return mechanism;
 }
 
+namespace {
+
+constexpr int kUsualLead = 5;        // of a screw, in the document's unit
+constexpr int kUsualRackModule = 2;  // of a rack
+
+}  // namespace
+
 Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional<MeshKind> kind) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
   if (found == nullptr) return unknown(mesh);
   const bool hadNoTeeth = !statesTeeth(*found);
   found->kind = kind;
   const PairKind& now = pairKind(saidKind(*found));
+  if (!now.slides || now.hasTeeth) found->lead.reset();
+  if (now.slides && !now.hasTeeth) {
+    if (!found->lead) found->lead = Number(Rational(kUsualLead));
+    found->module.reset();
+    found->helixAngle.reset();
+  }
+  if (now.slides && now.hasTeeth && !found->module && !found->pitch)
+    found->module = Number(Rational(kUsualRackModule));
   if (!now.canCross) {
     found->crossed = false;
-    found->pitch.reset();
+    if (!now.slides || !now.hasTeeth) found->pitch.reset();
     found->tailDiameter.reset();
     found->headDiameter.reset();
   }

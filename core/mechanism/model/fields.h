@@ -201,9 +201,20 @@ struct Description<TurningJoint> {
             {.name = "limits",
              .value = MemberValue::ends,
              .meaning = "how far it may turn from the reference pose, `[-170, 170]`: the lower end first, at "
-                        "most 0, the upper at least 0; null is no limit",
+                        "most 0, the upper at least 0; null is no limit. Of a sliding joint: how far it may "
+                        "slide, in the document's unit",
              .fallback = "none",
-             .measure = Measure::turn}));
+             .measure = Measure::turn}),
+      field(
+          &TurningJoint::kind,
+          {.name = "kind",
+           .value = MemberValue::jointKind,
+           .meaning = "`sliding`: the head moves along `+direction` of the axis relative to the tail, and "
+                      "its speeds are in the document's unit of length a second. Sliding joints that share a "
+                      "link and are parallel are of one class, as turning joints on one line are",
+           .fallback = "`turning`",
+           .attribute = "jointKind",
+           .since = 2}));
 };
 
 template <>
@@ -307,16 +318,18 @@ struct Description<GearMesh> {
                         "that of the half on the side against the direction of the first gear's axis",
              .fallback = "false",
              .since = 2}),
-      field(&GearMesh::module,
-            {.name = "module",
-             .value = MemberValue::number,
-             .meaning =
-                 "the normal module; with the centre distance it fixes the sum of the profile shifts. "
-                 "Of a bevel pair without `pitchPoint`: at the large end; of a worm: in its axial section",
-             .fallback = "follows from the centre distance",
-             .measure = Measure::length,
-             .range = NumberRange::positive,
-             .since = 2}),
+      field(
+          &GearMesh::module,
+          {.name = "module",
+           .value = MemberValue::number,
+           .meaning =
+               "the normal module; with the centre distance it fixes the sum of the profile shifts. "
+               "Of a bevel pair without `pitchPoint`: at the large end; of a worm: in its axial section; of "
+               "a rack, which needs it or a `pitch`: that of the rack along its motion",
+           .fallback = "follows from the centre distance",
+           .measure = Measure::length,
+           .range = NumberRange::positive,
+           .since = 2}),
       field(&GearMesh::pressureAngle, {.name = "pressureAngle",
                                        .value = MemberValue::number,
                                        .meaning = "of the teeth, in the normal section",
@@ -331,7 +344,8 @@ struct Description<GearMesh> {
                                  .since = 2}),
       field(&GearMesh::pitch, {.name = "pitch",
                                .value = MemberValue::number,
-                               .meaning = "of a belt: the length of one of its teeth",
+                               .meaning = "of a belt: the length of one of its teeth; of a rack the same, "
+                                          "along its motion, instead of a `module`",
                                .fallback = "follows from the distance of the axes",
                                .measure = Measure::length,
                                .range = NumberRange::positive,
@@ -349,7 +363,13 @@ struct Description<GearMesh> {
                                       .meaning = "the same of the second pulley",
                                       .measure = Measure::length,
                                       .range = NumberRange::positive,
-                                      .since = 2}));
+                                      .since = 2}),
+      field(&GearMesh::lead, {.name = "lead",
+                              .value = MemberValue::number,
+                              .meaning = "of a screw, which needs it: its advance in one turn",
+                              .measure = Measure::length,
+                              .range = NumberRange::positive,
+                              .since = 2}));
 };
 
 template <>

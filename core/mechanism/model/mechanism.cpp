@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -26,6 +28,22 @@ std::optional<int> positionIn(const std::vector<Element>& list, InternedString i
   return static_cast<int>(found - list.begin());
 }
 
+/// A positive fraction as two whole numbers in lowest terms, from kMinTeeth to kMaxTeeth.
+std::optional<std::pair<int, int>> wholeRatio(const Rational& ratio) {
+  const std::string text = ratio.toString();  // "57/20"
+  const std::size_t bar = text.find('/');
+  const auto whole = [](std::string_view digits) -> std::optional<int> {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || value < kMinTeeth || value > kMaxTeeth) return std::nullopt;
+    return value;
+  };
+  const auto a = whole(std::string_view(text).substr(0, bar));
+  const auto b = bar == std::string::npos ? 1 : whole(std::string_view(text).substr(bar + 1));
+  if (!a || !b) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
 }  // namespace
 
 double helixOf(const GearMesh& mesh) {
@@ -44,24 +62,50 @@ std::optional<std::pair<int, int>> weightsWithoutTeeth(const GearMesh& mesh) {
   const Rational tail = mesh.tailDiameter->exact();
   const Rational head = mesh.headDiameter->exact();
   if (tail.sign() <= 0 || head.sign() <= 0) return std::nullopt;
-  const Rational ratio = tail / head;
-  const std::string text = ratio.toString();  // "57/20", in lowest terms
-  const std::size_t bar = text.find('/');
-  const auto whole = [](std::string_view digits) -> std::optional<int> {
-    int value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || value < kMinTeeth || value > kMaxTeeth) return std::nullopt;
-    return value;
-  };
-  const auto a = whole(std::string_view(text).substr(0, bar));
-  const auto b = bar == std::string::npos ? 1 : whole(std::string_view(text).substr(bar + 1));
-  if (!a || !b) return std::nullopt;
-  return std::pair(*a, *b);
+  return wholeRatio(tail / head);
+}
+
+std::optional<MeshWeights> weightsOf(const GearMesh& mesh, bool tailSlides) {
+  const PairKind& kind = pairKind(saidKind(mesh));
+  if (!kind.slides) return MeshWeights{mesh.tailTeeth, mesh.headTeeth};
+  const std::optional<Number>& length = !kind.hasTeeth ? mesh.lead : mesh.module ? mesh.module : mesh.pitch;
+  if (!length || length->exact().sign() <= 0) return std::nullopt;
+  const int teeth = !kind.hasTeeth ? 1 : tailSlides ? mesh.headTeeth : mesh.tailTeeth;
+  const auto whole = wholeRatio(Rational(teeth, 2) * length->exact());
+  if (!whole) return std::nullopt;
+  const bool byModule = kind.hasTeeth && mesh.module;
+  const int power = byModule ? 0 : 1;  // a : b = X / pi : 1
+  if (tailSlides) return MeshWeights{whole->second, whole->first, -power};
+  return MeshWeights{whole->first, whole->second, power};
+}
+
+bool hasSlides(const Mechanism& mechanism) {
+  return std::any_of(mechanism.turningJoints.begin(), mechanism.turningJoints.end(),
+                     [](const TurningJoint& joint) { return slides(joint); });
 }
 
 void settleWeights(GearMesh& mesh) {
   if (statesTeeth(mesh)) return;
   if (const auto weights = weightsWithoutTeeth(mesh)) std::tie(mesh.tailTeeth, mesh.headTeeth) = *weights;
+}
+
+bool tailSlides(const Mechanism& mechanism, const GearMesh& mesh) {
+  std::map<LinkId, std::vector<const TurningJoint*>> joints;
+  for (const TurningJoint& joint : mechanism.turningJoints) {
+    joints[joint.tail].push_back(&joint);
+    joints[joint.head].push_back(&joint);
+  }
+  std::set<LinkId> reached{mesh.head};
+  std::vector<LinkId> queue{mesh.head};
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const LinkId link = queue[next];
+    for (const TurningJoint* const joint : joints[link]) {
+      const LinkId other = joint->tail == link ? joint->head : joint->tail;
+      if (other == mesh.tail) return slides(*joint);
+      if (reached.insert(other).second) queue.push_back(other);
+    }
+  }
+  return false;
 }
 
 std::string_view couplingKindName(ShiftElementKind kind) {

@@ -13,6 +13,7 @@
 #include "core/foundations/base/ordinal.h"
 #include "core/foundations/base/shared_optional.h"
 #include "core/mechanism/kinds/hand.h"
+#include "core/mechanism/kinds/joint_kind.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/link_mass.h"
 #include "core/mechanism/model/load.h"
@@ -43,8 +44,9 @@ struct Link {
   friend bool operator==(const Link&, const Link&) = default;
 };
 
-/// A line that turning joints turn about, in the reference pose, in the base frame. Without point or
-/// direction it is placed automatically (placement). `direction` need not have length 1.
+/// A line that turning joints turn about and sliding joints slide along, in the reference pose, in the base
+/// frame. Without point or direction it is placed automatically (placement). `direction` need not have
+/// length 1.
 struct Axis {
   AxisId id;
   std::optional<NumberTriple> point;
@@ -54,8 +56,9 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-/// How far a turning joint may turn from the reference pose, in degrees, with the sign of its speed; an end
-/// without a number is unlimited. @pre of a well-formed mechanism: low <= 0 <= high and low < high
+/// How far a joint may turn from the reference pose, in degrees, or slide, in the document's unit, with the
+/// sign of its speed; an end without a number is unlimited. @pre of a well-formed mechanism: low <= 0 <= high
+/// and low < high
 struct JointLimits {
   std::optional<Number> low = {};
   std::optional<Number> high = {};
@@ -67,8 +70,10 @@ struct JointLimits {
 /// The same limits for a joint of which tail and head are exchanged.
 [[nodiscard]] JointLimits opposite(const JointLimits& limits);
 
-/// A turning pair. Positive speed turns `head` about +direction of the axis relative to `tail`; `offset` is
-/// where along the axis (from its point, along the unit direction) the bearing is drawn.
+/// A joint of one freedom, `kind`: a turning pair, or a sliding one (most are turning; the name is that of
+/// the paper and of documents). Positive speed turns `head` about +direction of the axis relative to `tail`,
+/// or slides it along +direction, in lengths a second; `offset` is where along the axis (from its point,
+/// along the unit direction) the bearing is drawn.
 struct TurningJoint {
   JointId id;
   LinkId tail;
@@ -76,6 +81,7 @@ struct TurningJoint {
   AxisId axis;
   Number offset;
   JointLimits limits = {};
+  JointKind kind = JointKind::turning;
   UnknownMembers unknown = {};
   friend bool operator==(const TurningJoint&, const TurningJoint&) = default;
 };
@@ -108,11 +114,12 @@ struct GearMesh {
   std::optional<Number> module = {};         ///< normal module; none: from the centre distance
   std::optional<Number> pressureAngle = {};  ///< normal, degrees; none: that of GearDefaults
   bool crossed = false;                      ///< of a belt: its strands cross between the pulleys
-  std::optional<Number> pitch = {};          ///< of a belt: length of a tooth
+  std::optional<Number> pitch = {};          ///< of a belt or rack: length of a tooth
   /// Running diameters of a belt's pulleys, instead of teeth: both or none. tailTeeth : headTeeth is then
   /// their ratio in lowest terms (settleWeights()).
   std::optional<Number> tailDiameter = {};
   std::optional<Number> headDiameter = {};
+  std::optional<Number> lead = {};  ///< of a screw: its advance in one turn
   UnknownMembers unknown = {};
   friend bool operator==(const GearMesh&, const GearMesh&) = default;
 };
@@ -129,6 +136,20 @@ struct GearMesh {
 [[nodiscard]] std::optional<std::pair<int, int>> weightsWithoutTeeth(const GearMesh& mesh);
 /// Sets the teeth of a mesh that states none to its weights, where there are such.
 void settleWeights(GearMesh& mesh);
+
+/// The weights a : b of the row of a mesh, a w_tail = s b w_head, speeds of the two sides relative to the
+/// carrier: `tail` : `head` pi^`pi`, whole numbers in lowest terms or the teeth. A side that slides has a
+/// speed in lengths, and only beside one is there a power of pi.
+struct MeshWeights {
+  int tail = 1;
+  int head = 1;
+  int pi = 0;
+  friend bool operator==(const MeshWeights&, const MeshWeights&) = default;
+};
+/// Of gears their teeth. Of a rack z m / 2 : 1 or, by its pitch, z p / (2 pi) : 1, of a screw lead / (2 pi) :
+/// 1, the turning side first; `tailSlides` says which that is not. std::nullopt where a rack has neither
+/// module nor pitch, a screw no lead, or the numbers are beyond kMaxTeeth.
+[[nodiscard]] std::optional<MeshWeights> weightsOf(const GearMesh& mesh, bool tailSlides);
 
 /// The kind that the document says, kUsualKind where it says none.
 [[nodiscard]] inline MeshKind saidKind(const GearMesh& mesh) {
@@ -238,7 +259,7 @@ struct View {
 
 /// The document: an immutable value that holds what the user drew and nothing computed from it.
 ///
-/// Labels are not stored: links[0] is the ground, label 0; links 1..n; turning joints n+1..n+t and gear
+/// Labels are not stored: links[0] is the ground, label 0; links 1..n; joints n+1..n+t and gear
 /// meshes n+t+1..n+t+c in the order of their lists.
 ///
 /// A Mechanism is always well formed: ids are unique in their lists, every reference names an element, teeth
@@ -293,6 +314,16 @@ struct Mechanism {
 };
 
 using MechanismPtr = std::shared_ptr<const Mechanism>;
+
+[[nodiscard]] inline bool slides(const TurningJoint& joint) {
+  return joint.kind == JointKind::sliding;
+}
+/// Has the mechanism a sliding joint? Cost: O(t).
+[[nodiscard]] bool hasSlides(const Mechanism& mechanism);
+
+/// Does the tail of a mesh slide in its carrier: is the joint by which the way to the head leaves it a
+/// sliding one? Cost: O(t).
+[[nodiscard]] bool tailSlides(const Mechanism& mechanism, const GearMesh& mesh);
 
 /// A document with the ground and nothing else.
 [[nodiscard]] Mechanism emptyMechanism();

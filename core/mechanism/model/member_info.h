@@ -41,6 +41,7 @@ enum class MemberValue {
   teeth,           ///< a whole number from kMinTeeth to kMaxTeeth
   meshKind,        ///< meshKindName()
   hand,            ///< handName()
+  jointKind,       ///< jointKindName(); turning is left out
   couplingKind,    ///< "brake" or "clutch"
   sharing,         ///< loadSharingName()
   number,          ///< exact; a fraction is a text

@@ -184,7 +184,7 @@ class WellFormedCheck {
 
   /// Helices of pairs on skew axes.
   void checkCrossing(const GearMesh& mesh, const std::string& at) {
-    if (!hasSkewAxes(saidKind(mesh))) return;
+    if (!hasSkewAxes(saidKind(mesh)) || slides(saidKind(mesh))) return;
     if (mesh.herringbone) {
       add(Code::schema,
           translated(
@@ -202,9 +202,40 @@ class WellFormedCheck {
     }
   }
 
+  /// What ties the travel of a rack or a screw to a turn.
+  void checkTravel(const GearMesh& mesh, const std::string& at) {
+    const auto reject = [&](const char* sentence, const char* member) {
+      add(Code::schema, filled(translated(sentence), {mesh.id.text()}), {mesh.id}, at + member);
+    };
+    if (!pairKind(saidKind(mesh)).hasTeeth) {
+      if (!mesh.lead)
+        return reject(toTranslate("Screw \"%1\" needs a lead: its advance in one turn."), "/lead");
+      if (mesh.lead->value() <= 0)
+        return reject(toTranslate("The lead of screw \"%1\" is above 0."), "/lead");
+      if (mesh.module || mesh.helixAngle)
+        reject(
+            toTranslate("Screw \"%1\" has a lead and a hand, no module and no helix angle: leave them out."),
+            mesh.module ? "/module" : "/helixAngle");
+    } else if (mesh.module.has_value() == mesh.pitch.has_value()) {
+      return reject(toTranslate("Rack \"%1\" has a module or a pitch along its motion, one of them."),
+                    "/module");
+    }
+    for (const bool ofTail : {true, false}) {
+      if (weightsOf(mesh, ofTail)) continue;
+      return reject(
+          toTranslate("The travel of a radian of \"%1\" is a ratio of two whole numbers up to 100,000: "
+                      "give it with fewer digits."),
+          mesh.lead    ? "/lead"
+          : mesh.pitch ? "/pitch"
+                       : "/module");
+    }
+  }
+
   /// The members that only some kinds have.
   void checkStrand(const GearMesh& mesh, const std::string& at) {
     const PairKind& kind = pairKind(saidKind(mesh));
+    const bool isRack = kind.slides && kind.hasTeeth;
+    const bool isScrew = kind.slides && !kind.hasTeeth;
     const auto reject = [&](const char* sentence, const char* member) {
       add(Code::schema, filled(translated(sentence), {mesh.id.text()}), {mesh.id}, at + member);
     };
@@ -216,15 +247,17 @@ class WellFormedCheck {
                  member);
       };
       only(mesh.crossed, "/crossed");
-      only(mesh.pitch.has_value(), "/pitch");
+      only(mesh.pitch.has_value() && !isRack, "/pitch");
       only(mesh.tailDiameter.has_value(), "/tailDiameter");
       only(mesh.headDiameter.has_value(), "/headDiameter");
-      if (mesh.crossed || mesh.pitch || mesh.tailDiameter || mesh.headDiameter) return;
+      if (mesh.crossed || (mesh.pitch && !isRack) || mesh.tailDiameter || mesh.headDiameter) return;
     }
+    if (mesh.lead && !isScrew) reject(toTranslate("Only a screw has a lead; mesh \"%1\" is none."), "/lead");
+    if (kind.slides) checkTravel(mesh, at);
     if (!kind.touches && mesh.friction)
       reject(toTranslate("Mesh \"%1\" has no teeth that slide: state its `efficiency`, not a `friction`."),
              "/friction");
-    if (!kind.touches && mesh.pitchPoint)
+    if (!kind.touches && mesh.pitchPoint && !isRack)
       reject(toTranslate("Mesh \"%1\" is a belt or pins, which have no pitch point: leave it out."),
              "/pitchPoint");
     for (const auto& [length, member] :

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory_resource>
 #include <span>
 #include <string>
@@ -30,9 +31,14 @@ class ClassFinder {
       : m_mechanism(mechanism), m_tree(tree), m_comparison(mechanism, *tree.graph, lines) {
     const LineKeys keys(lines);
     m_closeKeys = keys.window;
+    m_lines = lines;
     m_axes.reserve(lines.size());
     // The infinite key of a line that is not given is close to no other.
     for (const AxisLine& line : lines) m_axes.push_back({keys.of(line, kKeyWeights)});
+    m_turningAxes = m_axes.size();
+    // Sliding joints of an axis are not of the class of its turning ones: they have marks of their own, and
+    // no key, because where they are does not matter.
+    if (hasSlides(mechanism)) m_axes.resize(2 * m_turningAxes, {std::numeric_limits<double>::infinity()});
     m_found.reserve(tree.joints.size());
   }
 
@@ -45,6 +51,7 @@ class ClassFinder {
       if (link != 0 && joints.size() == 1) continue;  // its class is known
       groupByAxis(link, joints);
       if (m_groups.size() > 1) joinGroups();
+      if (m_groups.size() > 1 && m_axes.size() > m_turningAxes) joinSlides();
       giveClasses(link, joints, result);
     }
     report(diagnostics);
@@ -68,6 +75,7 @@ class ClassFinder {
   /// A class before it has its number.
   struct Found {
     LinkOrdinal rootLink = 0;
+    JointKind kind = JointKind::turning;
     int depth = 0;
     int number = -1;
     int sign = 1;  ///< of its first joint
@@ -82,7 +90,7 @@ class ClassFinder {
   void groupByAxis(LinkOrdinal link, std::span<const int> joints) {
     m_groups.clear();
     for (const JointOrdinal joint : joints) {
-      const int position = m_tree.axisOf[joint];
+      const AxisOrdinal position = markOf(joint);
       AxisMark& axis = m_axes[position];
       if (axis.link == link) continue;
       axis.link = link;
@@ -118,11 +126,40 @@ class ClassFinder {
 
   [[nodiscard]] double keyOfGroup(int group) const { return m_axes[m_groups[group].axis].key; }
 
+  [[nodiscard]] AxisOrdinal markOf(JointOrdinal joint) const {
+    const int axis = m_tree.axisOf[joint];
+    return slides(m_mechanism.turningJoints[joint]) ? axis + static_cast<int>(m_turningAxes) : axis;
+  }
+  [[nodiscard]] bool isSliding(int group) const {
+    return m_groups[group].axis >= static_cast<int>(m_turningAxes);
+  }
+
+  /// Sliding joints at a link whose lines are given and parallel.
+  void joinSlides() {
+    const int groups = static_cast<int>(m_groups.size());
+    const auto lineOf = [&](int group) -> const AxisLine& {
+      return m_lines[m_groups[group].axis - static_cast<int>(m_turningAxes)];
+    };
+    for (int b = 1; b < groups; ++b) {
+      for (int a = 0; a < b; ++a) {
+        if (!isSliding(a) || !isSliding(b) || lineOf(a).automatic || lineOf(b).automatic) continue;
+        const Vector3& one = lineOf(a).direction;
+        const Vector3& other = lineOf(b).direction;
+        if (areParallel(one, other)) join(a, b, dot(one, other) < 0 ? -1 : 1);
+      }
+    }
+  }
+
   void joinIfOneLine(int a, int b) {
+    if (isSliding(a) || isSliding(b)) return;
     const auto [low, high] = std::minmax(m_groups[a].axis, m_groups[b].axis);
     const int sign = m_comparison.coincidence(low, high);
     if (sign == 0) return;
     m_merged.push_back({low, high, sign});
+    join(a, b, sign);
+  }
+
+  void join(int a, int b, int sign) {
     const Group one = m_groups[a];
     const Group other = m_groups[b];
     if (one.set == other.set) return;
@@ -148,7 +185,7 @@ class ClassFinder {
       Group& set = m_groups[group.set];
       if (set.found < 0) {
         set.found = static_cast<int>(m_found.size());
-        m_found.push_back({link, depth});
+        m_found.push_back({link, m_mechanism.turningJoints[joint].kind, depth});
       }
       result.classOf[joint] = set.found;
       result.orientationSign[joint] = group.sign * set.against;
@@ -156,7 +193,7 @@ class ClassFinder {
   }
 
   [[nodiscard]] const Group& groupOf(JointOrdinal joint) const {
-    return m_groups[static_cast<std::size_t>(m_axes[m_tree.axisOf[joint]].group)];
+    return m_groups[static_cast<std::size_t>(m_axes[markOf(joint)].group)];
   }
 
   bool number(AxisGroups& result) {
@@ -171,12 +208,12 @@ class ClassFinder {
       if (found.number < 0) {
         found.number = static_cast<int>(result.classes.size());
         found.sign = result.orientationSign[joint];
-        result.classes.push_back({joint, axis, found.rootLink, found.depth});
+        result.classes.push_back({joint, axis, found.rootLink, found.kind, found.depth});
       }
       result.classOf[joint] = result.ofLink[m_tree.child[joint]] = found.number;
       result.orientationSign[joint] *= found.sign;
-      const int before = std::exchange(m_axes[axis].group, found.number);
-      isSplit = isSplit || (before != kNone && before != found.number);
+      const int before = std::exchange(m_axes[markOf(joint)].group, found.number);
+      isSplit = isSplit || (before != kNone && before != found.number && found.kind == JointKind::turning);
     }
     return isSplit;
   }
@@ -205,6 +242,8 @@ class ClassFinder {
   const Mechanism& m_mechanism;
   const JointTree& m_tree;
   LineComparison m_comparison;
+  SpanByAxis<const AxisLine> m_lines;
+  std::size_t m_turningAxes = 0;         ///< marks of sliding joints follow those of turning ones
   std::array<std::byte, 2048> m_buffer;  // enough for some dozens of joints
   std::pmr::monotonic_buffer_resource m_scratch{m_buffer.data(), m_buffer.size()};
   std::pmr::vector<AxisMark> m_axes{&m_scratch};
@@ -221,6 +260,7 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisG
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     std::vector<int>& list = classesOfAxis[tree.axisOf[j]];
     const int of = classes.classOf[j];
+    if (classes.classes[of].kind == JointKind::sliding) continue;
     if (std::find(list.begin(), list.end(), of) == list.end()) list.push_back(of);
   }
   for (std::size_t a = 0; a < classesOfAxis.size(); ++a) {

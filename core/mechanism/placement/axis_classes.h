@@ -9,9 +9,10 @@
 
 namespace geargraph {
 
-/// The axis classes: joints that stay coaxial in every motion, because they are on one line and are connected
-/// by shared links. Lines are never compared across the mechanism: axes 1 and 3 of a robot's wrist coincide
-/// in the drawn pose only.
+/// The axis classes: turning joints that stay coaxial in every motion, because they are on one line and are
+/// connected by shared links; and sliding joints that stay parallel, because they are so and are connected by
+/// shared links. A class has joints of one kind. Lines are never compared across the mechanism: axes 1 and 3
+/// of a robot's wrist coincide in the drawn pose only.
 ///
 /// The links of a class are its root link (`rootLink`, nearest the ground) and all links whose joint towards
 /// the ground is in the class; so two classes share at most one link, which carries a mesh between them.
@@ -20,7 +21,8 @@ struct AxisGroups {
     JointOrdinal joint = 0;    ///< the first in the document's order: gives the class's line, orientation
     AxisOrdinal axis = 0;      ///< that joint's axis
     LinkOrdinal rootLink = 0;  ///< the root link: the one nearest the ground
-    int depth = 0;             ///< number of classes between the root link and the ground
+    JointKind kind = JointKind::turning;
+    int depth = 0;  ///< number of classes between the root link and the ground
   };
 
   ByClass<Class> classes;  ///< in the order of their first joints

@@ -20,6 +20,7 @@ struct MeshGeometry {
   AxisGroupOrdinal headClass = 0;
   int tailTeeth = 1;
   int headTeeth = 1;
+  MeshWeights weights;  ///< of its row: the teeth, except where a side slides
   /// s: N_tail w_tail = s N_head w_head, the speeds relative to the carrier about the classes' lines. From
   /// the geometry: the sign of r_A . r_B.
   int sign = -1;
@@ -36,7 +37,8 @@ struct MeshGeometry {
   /// direction). Where the wheels do not touch: the direction of the strand, or of the push of a pin, through
   /// the pitch point (strand.h).
   Vector3 normal{};
-  double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
+  double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A.
+                          ///< Of a side that slides: e_c . u_A
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
   /// Helix angles at the reference cylinders, rad, positive for right-hand helices; 0: straight teeth. No
   /// radius, sign or coefficient of parallel axes depends on them. On skew axes they make e_c, the tooth

@@ -54,6 +54,17 @@ Rational crossedHelicalDistance(const GearMesh& mesh, const Rational& module) {
                               (mesh.tailTeeth / std::cos(helix) + mesh.headTeeth / std::sin(helix)));
 }
 
+/// The pitch radius of the pinion, the wheel with fewer teeth.
+Rational rackDistance(const GearMesh& mesh, const Rational& module) {
+  Rational own = module;
+  if (mesh.module) {
+    own = mesh.module->exact();
+  } else if (mesh.pitch) {
+    own = Rational::fromDouble(mesh.pitch->value() / std::numbers::pi);
+  }
+  return own * Rational(std::min(mesh.tailTeeth, mesh.headTeeth), 2);
+}
+
 /// With the usual worm of ten modules.
 Rational wormDistance(const GearMesh& mesh, const Rational& module) {
   const Rational axial = mesh.module ? mesh.module->exact() : module;
@@ -67,13 +78,16 @@ constexpr PairRule kInternalRule{pointBetweenParallels<true, double>, exactPoint
 constexpr PairRule kBevelRule{bevelPoint, exactBevelPoint};
 constexpr PairRule kBeltRule{.radii = runningRadii};
 constexpr PairRule kPinsRule{.radii = pinRadii};
+constexpr PairRule kRackRule{.crossedDistance = rackDistance};
+constexpr PairRule kScrewRule{};
 constexpr PairRule kCrossedHelicalRule{.crossed = crossedHelicalWheels,
                                        .crossedDistance = crossedHelicalDistance};
 constexpr PairRule kWormRule{.crossed = wormWheels, .crossedDistance = wormDistance};
 
 KindTable<MeshKind, PairRule>& pairRules() {
-  static constinit KindTable<MeshKind, PairRule> table(
-      &kExternalRule, &kInternalRule, &kBevelRule, &kBeltRule, &kPinsRule, &kCrossedHelicalRule, &kWormRule);
+  static constinit KindTable<MeshKind, PairRule> table(&kExternalRule, &kInternalRule, &kBevelRule,
+                                                       &kBeltRule, &kPinsRule, &kRackRule, &kScrewRule,
+                                                       &kCrossedHelicalRule, &kWormRule);
   return table;
 }
 

@@ -47,6 +47,8 @@ extern const PairRule kInternalRule;
 extern const PairRule kBevelRule;
 extern const PairRule kBeltRule;
 extern const PairRule kPinsRule;
+extern const PairRule kRackRule;
+extern const PairRule kScrewRule;
 extern const PairRule kCrossedHelicalRule;
 extern const PairRule kWormRule;
 

@@ -7,6 +7,7 @@
 #include "core/mechanism/placement/bevel_arranger.h"
 #include "core/mechanism/placement/crossing.h"
 #include "core/mechanism/placement/pair_rule.h"
+#include "core/mechanism/placement/slide.h"
 #include "core/mechanism/placement/strand.h"
 #include "core/mechanism/placement/tolerance.h"
 
@@ -95,6 +96,14 @@ class MeshLocator {
     geometry.headClass = word.headClass;
     geometry.tailTeeth = element.tailTeeth;
     geometry.headTeeth = element.headTeeth;
+    if (slides(saidKind(element)) || isSliding(word.tailClass) || isSliding(word.headClass)) {
+      if (!placeSlide(m_mechanism, mesh, pair, isSliding(word.tailClass), isSliding(word.headClass), geometry,
+                      m_placement.diagnostics))
+        return false;
+      geometry.pitchPoint = tail.point + geometry.tailToPitch;
+      return true;
+    }
+    geometry.weights = {element.tailTeeth, element.headTeeth};
     const LinePosition position = positionOf(pair, m_train);
     if (!touches(saidKind(element))) {
       const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
@@ -119,6 +128,10 @@ class MeshLocator {
   }
 
  private:
+  [[nodiscard]] bool isSliding(AxisGroupOrdinal axisGroup) const {
+    return m_placement.classes->classes[axisGroup].kind == JointKind::sliding;
+  }
+
   bool reject(Diagnostic why) {
     m_placement.diagnostics.push_back(std::move(why));
     return false;

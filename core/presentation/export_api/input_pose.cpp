@@ -17,18 +17,30 @@ std::optional<InputPose> poseOfInputs(const AnalysisSnapshot& snapshot, const In
                                       const std::stop_token& stop) {
   const KinematicModel& model = *snapshot.kinematics->model;
   const std::vector<int>& joints = snapshot.matroid()->choice.joints;
-  const auto inDegrees = solveExact(model, joints, inputs.degrees, stop);
-  const auto inRadians = solveExact(model, joints, inputs.radians, stop);
-  if (!inDegrees || !inRadians) return std::nullopt;
   InputPose pose;
   pose.angles.resize(static_cast<std::size_t>(model.t()));
   ByJoint<double> reduced;  // only where links are does not depend on whole turns
   reduced.resize(pose.angles.size());
-  for (std::size_t joint = 0; joint < pose.angles.size(); ++joint) {
-    const Rational turns = inDegrees->rates[joint] / 360;
-    const Rational& radians = inRadians->rates[joint];
-    reduced[joint] = reducedAngle(turns, radians);
-    pose.angles[joint] = turns.toDouble() * 2 * std::numbers::pi + radians.toDouble();
+  if (model.hasPi()) {
+    const auto inDegrees = solvePi(model, joints, inputs.degrees, stop);
+    const auto inRadians = solvePi(model, joints, inputs.radians, stop);
+    if (!inDegrees || !inRadians) return std::nullopt;
+    for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
+      const PiNumber angle =
+          inDegrees->rates[joint] * PiNumber(Rational(1, 180), 1) + inRadians->rates[joint];
+      pose.angles[joint] = reduced[joint] = angle.toDouble();
+    }
+  } else {
+    const auto inDegrees = solveExact(model, joints, inputs.degrees, stop);
+    const auto inRadians = solveExact(model, joints, inputs.radians, stop);
+    if (!inDegrees || !inRadians) return std::nullopt;
+    for (JointOrdinal joint = 0; joint < model.t(); ++joint) {
+      const Rational turns = inDegrees->rates[joint] / 360;
+      const Rational& radians = inRadians->rates[joint];
+      pose.angles[joint] = turns.toDouble() * 2 * std::numbers::pi + radians.toDouble();
+      const bool isSlide = slides(snapshot.mechanism->turningJoints[joint]);
+      reduced[joint] = isSlide ? pose.angles[joint] : reducedAngle(turns, radians);
+    }
   }
   pose.links =
       ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement())).poses(reduced);

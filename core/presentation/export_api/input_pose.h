@@ -10,7 +10,8 @@
 namespace geargraph {
 
 /// Angles of the inputs, by the solution's columns; an angle is the sum of its degrees and its radians.
-/// Exact, so that any number of whole turns is subtracted without loss.
+/// Exact, so that any number of whole turns is subtracted without loss. A travel of an input that slides, in
+/// the document's unit, stands among the radians.
 struct InputAngles {
   std::vector<Rational> degrees;
   std::vector<Rational> radians;
@@ -18,7 +19,8 @@ struct InputAngles {
 
 /// The pose of a mechanism for given angles of its inputs.
 struct InputPose {
-  ByJoint<double> angles;           ///< rad, with all turns; infinite beyond the range of doubles
+  /// rad, with all turns; infinite beyond the range of doubles. Of sliding joints travels.
+  ByJoint<double> angles;
   ByLink<Eigen::Isometry3d> links;  ///< displacement from the reference pose, base frame
   std::vector<int> beyondLimits;    ///< joints whose angles are beyond their limits
 };

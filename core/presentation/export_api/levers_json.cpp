@@ -185,7 +185,7 @@ std::optional<std::vector<Rational>> exactRates(const AnalysisSnapshot& snapshot
 
 std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   const LiveKinematics* const kinematics = snapshot.kinematics.get();
-  if (kinematics == nullptr || !kinematics->model) return LeverPicture{};
+  if (kinematics == nullptr || !kinematics->model || hasSlides(*snapshot.mechanism)) return LeverPicture{};
   const Placement& placement = kinematics->placement();
   auto plan = leverPlanOf(*kinematics->model, placement, {}, stop);
   if (!plan) return std::nullopt;
@@ -204,7 +204,7 @@ std::optional<LeverPicture> leverPictureOf(const AnalysisSnapshot& snapshot, con
 
 std::optional<LeverPlan> pointPlanOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   const LiveKinematics* const kinematics = snapshot.kinematics.get();
-  if (kinematics == nullptr || !kinematics->model) return LeverPlan{};
+  if (kinematics == nullptr || !kinematics->model || hasSlides(*snapshot.mechanism)) return LeverPlan{};
   const Mechanism& mechanism = *snapshot.mechanism;
   std::optional<ShiftElementOrdinal> last;
   for (const ShiftElementOrdinal coupling : mechanism.couplings.ordinals()) {

@@ -104,6 +104,8 @@ struct Exporter {
                         const std::stop_token& stop) = nullptr;
   /// Why this system cannot write it, as a sentence; empty: it can. Null: every system can.
   std::string (*missing)() = nullptr;
+  /// Does it know sliding joints? Else nothing is written of a document that has some (writeExport()).
+  bool knowsSlides = false;
 };
 
 /// What people export for.
@@ -134,6 +136,8 @@ inline constexpr ExportRefusal kNoSolutionRefusal{
 inline constexpr ExportRefusal kTooLargeRefusal{
     "too-large", toTranslate("The mechanism, or what would be written, is too large.")};
 inline constexpr ExportRefusal kGearsRefusal{"gears", toTranslate("Gears cannot be made.")};
+inline constexpr ExportRefusal kSlidesRefusal{
+    "slides", toTranslate("This format does not cover sliding joints, racks and screws.")};
 inline constexpr ExportRefusal kGraphicsRefusal{
     "graphics", toTranslate("Nothing can paint pictures here, or a picture is too large to be painted.")};
 

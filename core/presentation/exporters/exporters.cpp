@@ -180,6 +180,7 @@ const OptionText& exportOptionText(std::string_view name) {
 std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live) {
   if (std::string why = exporter.missing != nullptr ? exporter.missing() : std::string(); !why.empty())
     return why;
+  if (!exporter.knowsSlides && hasSlides(*live.mechanism)) return translated(kSlidesRefusal.meaning);
   if (exporter.need == ExportNeed::nothing) return {};
   if (!live.tree) return translated("The turning joints are no spanning tree.");
   if (exporter.need == ExportNeed::tree) return {};
@@ -187,6 +188,18 @@ std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live) {
     return translated("The mechanism has errors.");
   if (exporter.need == ExportNeed::kinematics || live.matroid()->solution) return {};
   return translated("There is no solution, because nothing can move or inputs are missing.");
+}
+
+ExportResult writeExport(const Exporter& exporter, ExportContext& context, const OptionValues& given,
+                         const ExportTarget& target, const std::stop_token& stop) {
+  if (!exporter.knowsSlides) {
+    const auto document = context.document();
+    if (const auto* error = std::get_if<ExportError>(&document)) return *error;
+    if (hasSlides(*std::get<MechanismPtr>(document)))
+      return ExportError{ExportError::Kind::mechanism, translated(kSlidesRefusal.meaning),
+                         kSlidesRefusal.code};
+  }
+  return exporter.write(context, given, target, stop);
 }
 
 }  // namespace geargraph

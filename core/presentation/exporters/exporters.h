@@ -48,4 +48,10 @@ namespace geargraph {
 /// as a sentence; empty if ExportNeed is met. Cheap.
 [[nodiscard]] std::string unmetNeed(const Exporter& exporter, const AnalysisSnapshot& live);
 
+/// Exporter::write(), which everything that exports calls through this: an exporter that does not know
+/// sliding joints writes nothing of a document that has some.
+[[nodiscard]] ExportResult writeExport(const Exporter& exporter, ExportContext& context,
+                                       const OptionValues& given, const ExportTarget& target,
+                                       const std::stop_token& stop);
+
 }  // namespace geargraph

@@ -57,7 +57,9 @@ constexpr std::array kGraphExporters = {
              {},
              ExportNeed::nothing,
              kGraphRefusals,
-             writeGraph<GraphForm::dot>},
+             writeGraph<GraphForm::dot>,
+             nullptr,
+             true},
     Exporter{"graphml",
              "graphml",
              "GraphML",
@@ -68,7 +70,9 @@ constexpr std::array kGraphExporters = {
              {},
              ExportNeed::nothing,
              kGraphRefusals,
-             writeGraph<GraphForm::graphMl>},
+             writeGraph<GraphForm::graphMl>,
+             nullptr,
+             true},
     Exporter{"node-link",
              "node-link",
              "NetworkX (JSON)",
@@ -79,7 +83,9 @@ constexpr std::array kGraphExporters = {
              {},
              ExportNeed::nothing,
              kGraphRefusals,
-             writeGraph<GraphForm::nodeLink>},
+             writeGraph<GraphForm::nodeLink>,
+             nullptr,
+             true},
 };
 
 }  // namespace

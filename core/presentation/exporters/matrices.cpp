@@ -180,7 +180,9 @@ constexpr std::array kMatrixExporters = {
              {},
              ExportNeed::nothing,
              kOneTableRefusals,
-             writeMatrices},
+             writeMatrices,
+             nullptr,
+             true},
     Exporter{"csv-all",
              "csv",
              toTranslate("CSV, all matrices and tables"),
@@ -191,7 +193,9 @@ constexpr std::array kMatrixExporters = {
              kAllTablesImplied,
              ExportNeed::nothing,
              {},
-             writeMatrices},
+             writeMatrices,
+             nullptr,
+             true},
 };
 
 }  // namespace

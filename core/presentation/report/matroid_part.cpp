@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <numeric>
 
 #include "core/foundations/base/text_lists.h"
@@ -9,6 +10,16 @@
 
 namespace geargraph {
 namespace {
+
+/// "\frac{5}{2 \pi}" and the like. @pre a single term
+std::string latexOfRatio(const PiNumber& ratio) {
+  if (ratio.isRational()) return readableLatex(ratio.rational());
+  const PiNumber::Term& term = ratio.terms().front();
+  const int power = std::abs(term.power);
+  const std::string pi = power == 1 ? "\\pi" : "\\pi^{" + std::to_string(power) + "}";
+  const std::string factor = readableLatex(term.factor);
+  return term.power > 0 ? factor + " " + pi : factor + " \\frac{1}{" + pi + "}";
+}
 
 class MatroidPart : private ReportPart {
  public:
@@ -165,6 +176,10 @@ class MatroidPart : private ReportPart {
       const GearMesh& teeth = m_snapshot.mechanism->gearMeshes[mesh];
       meshes.emplace_back(teeth.id);
       const DigraphEdge& gears = m_graph.meshEdge(mesh);
+      if (slides(saidKind(teeth))) {
+        lines.push_back("i_{" + label(m_graph.t() + mesh) + "} = " + latexOfRatio(matrix.piRatio(mesh)));
+        continue;
+      }
       const std::string counts =
           "\\frac{" + std::to_string(teeth.tailTeeth) + "}{" + std::to_string(teeth.headTeeth) + "}";
       const std::string ratio = readableLatex(matrix.ratio(mesh));

@@ -129,7 +129,9 @@ std::string_view valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return kTeeth;
     case MemberValue::meshKind:
-      return "external, internal, bevel, belt, pins, crossedHelical or worm";
+      return "external, internal, bevel, belt, pins, rack, screw, crossedHelical or worm";
+    case MemberValue::jointKind:
+      return "turning or sliding";
     case MemberValue::hand:
       return "right or left";
     case MemberValue::couplingKind:

@@ -124,16 +124,15 @@ void writeCouplingRows(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   json.endObject();
 }
 
-void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
-  if (!snapshot.solved || !snapshot.solved->exact) return json.null();
-  const ExactSolution& exact = *snapshot.solved->exact;
+template <class Solution>
+void writeMatroidMatrices(JsonWriter& json, const AnalysisSnapshot& snapshot, const Solution& exact) {
   const std::size_t rows = exact.outputs.size();
   const std::size_t columns = exact.inputs.size();
   json.beginObject();
   writeLabels(json, "inputs", *snapshot.graph, exact.inputs);
   writeLabels(json, "outputs", *snapshot.graph, exact.outputs);
   if (exact.matrix.size() == rows * columns) {
-    const auto at = [&](std::size_t row, std::size_t column) -> const Rational& {
+    const auto at = [&](std::size_t row, std::size_t column) -> const auto& {
       return exact.matrix[row * columns + column];
     };
     writeRows(json, "exact", rows, columns,
@@ -160,9 +159,15 @@ void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   json.endObject();
 }
 
-void writeTtSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
-  if (!snapshot.solved || !snapshot.solved->ttExact) return json.null();
-  const RateMatrix<Rational>& exact = *snapshot.solved->ttExact;
+void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
+  if (!snapshot.solved) return json.null();
+  if (snapshot.solved->pi) return writeMatroidMatrices(json, snapshot, *snapshot.solved->pi);
+  if (!snapshot.solved->exact) return json.null();
+  writeMatroidMatrices(json, snapshot, *snapshot.solved->exact);
+}
+
+template <class Value>
+void writeTtMatrices(JsonWriter& json, const AnalysisSnapshot& snapshot, const RateMatrix<Value>& exact) {
   const std::size_t rows = exact.outputs.size();
   const std::size_t columns = exact.inputs.size();
   json.beginObject();
@@ -180,6 +185,13 @@ void writeTtSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   json.endObject();
 }
 
+void writeTtSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
+  if (!snapshot.solved) return json.null();
+  if (snapshot.solved->ttPi) return writeTtMatrices(json, snapshot, *snapshot.solved->ttPi);
+  if (!snapshot.solved->ttExact) return json.null();
+  writeTtMatrices(json, snapshot, *snapshot.solved->ttExact);
+}
+
 void writeAgreement(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   if (!snapshot.solved || !snapshot.solved->agreement) return json.null();
   json.beginObject(Layout::row);
@@ -189,12 +201,12 @@ void writeAgreement(JsonWriter& json, const AnalysisSnapshot& snapshot) {
 }
 
 void writeJointSpeeds(JsonWriter& json, const AnalysisSnapshot& snapshot) {
-  if (!snapshot.solved || !snapshot.solved->exact) return json.null();
-  const std::vector<Rational>& rates = snapshot.solved->exact->rates;
+  if (!snapshot.solved || (!snapshot.solved->exact && !snapshot.solved->pi)) return json.null();
   json.beginObject(Layout::row);
   for (JointOrdinal joint = 0; joint < snapshot.graph->t(); ++joint) {
     json.member(std::to_string(snapshot.graph->edgeLabel(joint)),
-                rates[static_cast<std::size_t>(joint)].toString());
+                snapshot.solved->pi ? snapshot.solved->pi->rates[joint].toString()
+                                    : snapshot.solved->exact->rates[joint].toString());
   }
   json.endObject();
 }

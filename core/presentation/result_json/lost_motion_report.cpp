@@ -124,7 +124,7 @@ std::optional<Rational> LostMotionCase::atInput(std::size_t output, std::size_t 
 std::optional<LostMotionCase> lostMotionCase(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   LostMotionCase made;
   const MatroidAnalysis* const matroid = snapshot.matroid();
-  if (matroid == nullptr || !matroid->solution) return made;
+  if (matroid == nullptr || !matroid->solution || hasSlides(*snapshot.mechanism)) return made;
   const KinematicModel& model = *snapshot.kinematics->model;
   std::optional<ExactSolution> own;
   if (!snapshot.solved || !snapshot.solved->exact) {

@@ -150,7 +150,7 @@ std::optional<FrequencyCase> frequenciesAsEngaged(const AnalysisSnapshot& snapsh
   FrequencyCase made;
   made.reference = options.reference;
   const MatroidAnalysis* const matroid = snapshot.matroid();
-  if (matroid == nullptr || !matroid->solution) return made;
+  if (matroid == nullptr || !matroid->solution || hasSlides(*snapshot.mechanism)) return made;
   ByJoint<Rational> rates;
   if (snapshot.solved && snapshot.solved->exact) {
     rates = snapshot.solved->exact->rates;

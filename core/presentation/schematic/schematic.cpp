@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/foundations/base/translation.h"
 #include "core/machine/body_layout/derived_geometry.h"
 #include "core/presentation/schematic/coupling_symbols.h"
 #include "core/presentation/schematic/drawn_train.h"
@@ -49,6 +50,10 @@ SchematicGeometry schematicGeometry(const DerivedGeometry& document, const std::
   SchematicGeometry geometry;
   geometry.isTooLarge = document.mechanism().links.size() > kMaxDrawnLinks;
   if (geometry.isTooLarge) return geometry;
+  if (hasSlides(document.mechanism())) {
+    geometry.notes.push_back(translated("Sliding joints, racks and screws have no symbols here."));
+    return geometry;
+  }
   const DrawnPart part = drawnPart(document.placed());
   const std::optional<DrawnTrain> train = drawnTrain(part, document, stop);
   if (!train || stop.stop_requested()) return geometry;

@@ -77,7 +77,7 @@ class CoefficientTable final : public ResultTable {
                         ? translated(
                               "The row divided by the radius of the head's gear: %1 turns about the axis of "
                               "the tail's gear, which leaves the ratio i%2 = %3.",
-                              {jointName, mesh, m_matrix.ratio(row).toString()})
+                              {jointName, mesh, m_matrix.piRatio(row).toString()})
                         : translated(
                               "The row divided by the radius of the head's gear: %1 turns about the axis of "
                               "the head's gear, which leaves 1.",
@@ -121,7 +121,7 @@ class CoefficientTable final : public ResultTable {
     const std::string minus = entry.sign < 0 ? "-" : "";
     if (form() == EntryForm::symbols) {
       const std::string label = std::to_string(graph().edgeLabel(graph().t() + mesh));
-      const double value = entry.sign * (entry.tail ? m_matrix.ratio(mesh).toDouble() : 1);
+      const double value = entry.sign * (entry.tail ? m_matrix.piRatio(mesh).toDouble() : 1);
       if (!entry.tail) return {column, minus + "1", minus + "1", value, false};
       return {column, minus + "i" + label, minus + "i_{" + label + "}", value, true};
     }

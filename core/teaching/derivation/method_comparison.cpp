@@ -235,7 +235,7 @@ std::vector<ComparedStep> comparedSteps() {
 std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot, ComparisonDepth depth,
                                                const std::stop_token& stop) {
   const MatroidAnalysis* const matroid = snapshot.matroid();
-  const bool isDefined = matroid != nullptr && matroid->solution &&
+  const bool isDefined = matroid != nullptr && matroid->solution && !snapshot.kinematics->model->hasPi() &&
                          snapshot.kinematics->ttGraph->isComplete() &&
                          snapshot.mechanism->n() <= kMaxComparedLinks && snapshot.mechanism->c() > 0;
   if (!isDefined) return std::nullopt;

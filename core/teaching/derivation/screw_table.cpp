@@ -74,7 +74,13 @@ class ScrewTable final : public ResultTable {
     CellExplanation cell;
     cell.title = "C" + std::to_string(graph.edgeLabel(graph.t() + mesh)) + ", " + jointName + ", " +
                  std::string(1, "LMNPQR"[column]) + ": " + (shown ? shown->text : "0");
-    if (column < 3) {
+    if (slides(at(row))) {
+      cell.text = column < 3 ? translated("%1 slides: its screw has no angular part.", {jointName})
+                             : translated(
+                                   "The %1 component of the direction in which %2 slides: how fast the "
+                                   "pitch point of %3 moves for one unit of speed.",
+                                   {axis, jointName, meshName});
+    } else if (column < 3) {
       cell.text = translated("The %1 component of the unit vector u along the axis of %2. Eqs. (7)-(9)",
                              {axis, jointName});
     } else {
@@ -95,11 +101,17 @@ class ScrewTable final : public ResultTable {
   [[nodiscard]] Place at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
   [[nodiscard]] const Placement& placement() const { return m_snapshot->kinematics->placement(); }
 
+  /// The screw of a sliding joint is (0; d): its direction is its moment about any point.
+  [[nodiscard]] bool slides(Place place) const {
+    return geargraph::slides(m_snapshot->mechanism->turningJoints[place.joint]);
+  }
+
   [[nodiscard]] Screw<double> screwOf(Place place) const {
     const auto joint = static_cast<std::size_t>(place.joint);
     const AxisGroups& classes = *placement().classes;
     const AxisLine& line = placement().lineOfClass(classes.classOf[joint]);
     const double sense = classes.orientationSign[joint];
+    if (slides(place)) return {{0, 0, 0}, sense * line.direction};
     return screwAbout(placement().meshes[place.mesh]->pitchPoint, line.point, sense * line.direction);
   }
 
@@ -107,11 +119,14 @@ class ScrewTable final : public ResultTable {
   [[nodiscard]] std::optional<Screw<Rational>> exactScrewOf(Place place) const {
     const auto joint = static_cast<std::size_t>(place.joint);
     const AxisGroups& classes = *placement().classes;
-    const auto point = exactPitchPoint(*m_snapshot->mechanism, placement(), place.mesh);
+    // The pitch point does not matter to a slide.
+    const auto point = slides(place) ? std::optional(ExactVector3{0, 0, 0})
+                                     : exactPitchPoint(*m_snapshot->mechanism, placement(), place.mesh);
     const ExactLine line = exactLineOfClass(*m_snapshot->mechanism, placement(), classes.classOf[joint]);
     const auto length = dot(line.direction, line.direction).squareRoot();
     if (!point || !length) return std::nullopt;
     const Rational scale = Rational(classes.orientationSign[joint]) / *length;
+    if (slides(place)) return Screw<Rational>{{0, 0, 0}, scale * line.direction};
     return screwAbout(*point, line.point, scale * line.direction);
   }
 

@@ -24,6 +24,7 @@ Lack withoutMeshes(const ExerciseSource& source) {
 
 Lack withoutEquations(const ExerciseSource& source) {
   if (const Lack reason = withoutMeshes(source)) return reason;
+  if (hasSlides(source.mechanism())) return translated("a joint slides");
   if (source.ttGraph() == nullptr || source.matroid() == nullptr) return translated("a mesh has no geometry");
   return std::nullopt;
 }

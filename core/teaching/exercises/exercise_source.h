@@ -38,7 +38,9 @@ class ExerciseSource {
   /// Null if a mesh has no equations.
   [[nodiscard]] const TtGraph* ttGraph() const;
   /// Null if a mesh has no geometry.
-  [[nodiscard]] const MatroidAnalysis* matroid() const { return m_snapshot->matroid(); }
+  [[nodiscard]] const MatroidAnalysis* matroid() const {
+    return hasSlides(*m_snapshot->mechanism) ? nullptr : m_snapshot->matroid();
+  }
   [[nodiscard]] MeshKind meshKind(MeshOrdinal mesh) const;
 
   /// A valid set of inputs, and by joint its rate as a combination of them. @pre matroid()

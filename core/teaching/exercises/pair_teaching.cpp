@@ -61,6 +61,28 @@ constexpr PairTeaching kPinsTeaching{
     .sameWay = kPinsFactor,
     .againstEachOther = kPinsFactor};
 
+constexpr const char* kRackFactor = toTranslate(
+    "Mesh %1 is a rack: its sign follows from the side of the pinion on which it is, and f is %2.");
+
+constexpr PairTeaching kRackTeaching{
+    .signMistake = "rack-sign",
+    .signInRow =
+        toTranslate("The sign of rack %1 follows from the side of the pinion's axis on which its teeth are."),
+    .signInTable =
+        toTranslate("The sign of rack %1 follows from the side of the pinion's axis on which its teeth are."),
+    .sameWay = kRackFactor,
+    .againstEachOther = kRackFactor};
+
+constexpr const char* kScrewFactor =
+    toTranslate("Mesh %1 is a screw: its sign follows from the hand of the thread, and f is %2.");
+
+constexpr PairTeaching kScrewTeaching{
+    .signMistake = "screw-sign",
+    .signInRow = toTranslate("The sign of screw %1 follows from the hand of its thread."),
+    .signInTable = toTranslate("The sign of screw %1 follows from the hand of its thread."),
+    .sameWay = kScrewFactor,
+    .againstEachOther = kScrewFactor};
+
 constexpr PairTeaching kCrossedTeaching{
     .signMistake = "crossed-sign",
     .signInRow =
@@ -77,9 +99,9 @@ constexpr PairTeaching kCrossedTeaching{
 }  // namespace
 
 KindTable<MeshKind, PairTeaching>& pairTeachings() {
-  static constinit KindTable<MeshKind, PairTeaching> table(&kExternalTeaching, &kInternalTeaching,
-                                                           &kBevelTeaching, &kBeltTeaching, &kPinsTeaching,
-                                                           &kCrossedTeaching, &kCrossedTeaching);
+  static constinit KindTable<MeshKind, PairTeaching> table(
+      &kExternalTeaching, &kInternalTeaching, &kBevelTeaching, &kBeltTeaching, &kPinsTeaching, &kRackTeaching,
+      &kScrewTeaching, &kCrossedTeaching, &kCrossedTeaching);
   return table;
 }
 

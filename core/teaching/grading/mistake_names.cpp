@@ -58,6 +58,8 @@ std::span<const MistakeName> mistakeNames() {
       {"bevel-sign", toTranslate("sign of a bevel mesh")},
       {"belt-sign", toTranslate("sign of a belt")},
       {"pins-sign", toTranslate("sign of pins in holes")},
+      {"rack-sign", toTranslate("sign of a rack")},
+      {"screw-sign", toTranslate("sign of a screw")},
       {"crossed-sign", toTranslate("sign of gears on axes that cross")},
       {"sign-and-ratio", toTranslate("sign wrong and ratio upside down")},
       {"coefficients-left-out", toTranslate("row of C in place of P")},

@@ -16,6 +16,13 @@ class Comparison {
     m_result.largestDifference = std::max(m_result.largestDifference, (a - b).abs());
     differ(joint);
   }
+  void compare(JointOrdinal joint, const PiNumber& a, const PiNumber& b) {
+    ++m_result.compared;
+    if (a == b) return;
+    const Rational difference = Rational::fromDouble((a - b).abs().toDouble());
+    m_result.largestDifference = std::max(m_result.largestDifference, difference);
+    differ(joint);
+  }
   void differ(JointOrdinal joint) { m_joints.insert(joint); }
   [[nodiscard]] Agreement result(bool determined = true) {
     m_result.joints.assign(m_joints.begin(), m_joints.end());
@@ -36,9 +43,8 @@ std::set<int> unshared(std::vector<int> a, std::vector<int> b) {
   return joints;
 }
 
-}  // namespace
-
-Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& ttGraph) {
+template <class Solution, class Value>
+Agreement agreementOfMatrices(const Solution& matroid, const RateMatrix<Value>& ttGraph) {
   Comparison comparison;
   for (const JointOrdinal joint : unshared(matroid.inputs, ttGraph.inputs)) comparison.differ(joint);
   const auto columnOf = [&](int input) {
@@ -62,6 +68,16 @@ Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& 
     }
   }
   return comparison.result(ttGraph.determined);
+}
+
+}  // namespace
+
+Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& ttGraph) {
+  return agreementOfMatrices(matroid, ttGraph);
+}
+
+Agreement agreementOf(const PiSolution& matroid, const RateMatrix<PiNumber>& ttGraph) {
+  return agreementOfMatrices(matroid, ttGraph);
 }
 
 Agreement agreementOf(std::span<const Rational> matroid, std::span<const Rational> ttGraph) {

@@ -14,7 +14,7 @@ namespace geargraph {
 /// never by row: the paper itself exchanges two rows.
 struct Agreement {
   bool equal = true;
-  Rational largestDifference;  ///< of two entries that should be the same
+  Rational largestDifference;  ///< of two entries that should be the same; with pi rounded
   long long compared = 0;      ///< entries
   std::vector<int> joints;     ///< whose rates differ, ascending
 };
@@ -22,6 +22,7 @@ struct Agreement {
 /// Compares two solutions. Solutions with different inputs or outputs, or with an undetermined matrix, do not
 /// agree.
 [[nodiscard]] Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& ttGraph);
+[[nodiscard]] Agreement agreementOf(const PiSolution& matroid, const RateMatrix<PiNumber>& ttGraph);
 /// Compares the rates of all joints, by joint, at the same input speeds.
 [[nodiscard]] Agreement agreementOf(std::span<const Rational> matroid, std::span<const Rational> ttGraph);
 

@@ -1,6 +1,7 @@
 #include "core/theory/analysis/kinematics.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/text_lists.h"
 #include "core/foundations/base/translation.h"
 #include "core/theory/states/engagement.h"
 
@@ -9,6 +10,28 @@ namespace {
 
 Diagnostic skipped(std::string message) {
   return {Code::symbolicSkipped, std::move(message), {}, {}, 0, 0};
+}
+
+/// `equation` closes a loop of rows with pi and rows without it.
+Diagnostic piMixed(const Mechanism& mechanism, const KinematicModel& model, int equation) {
+  constexpr std::size_t kMostNames = 8;
+  Diagnostic diagnostic;
+  diagnostic.code = Code::piMixed;
+  std::vector<std::string> names;
+  for (MeshOrdinal mesh = 0; mesh < model.c(); ++mesh) {
+    if (model.meshRow(mesh).pi == 0) continue;
+    names.push_back(std::to_string(mechanism.meshLabel(mesh)));
+    diagnostic.elements.emplace_back(mechanism.gearMeshes[mesh].id);
+  }
+  if (equation < model.c()) diagnostic.elements.emplace_back(mechanism.gearMeshes[equation].id);
+  diagnostic.message = translated(
+      "A length is tied to an angle by pi (meshes %1) and, round a loop, by a whole number of modules too: "
+      "their "
+      "rates would be sums of different powers of pi, for which there are no exact numbers here. State the "
+      "racks "
+      "of the loop all by their module or all by their pitch.",
+      {listed(names, kMostNames)});
+  return diagnostic;
 }
 
 /// Fills the symbolic parts of a solution.
@@ -20,8 +43,7 @@ class SymbolicPass {
 
   /// False where `stop` was requested.
   bool run() {
-    const ExactSolution& exact = *m_result.exact;
-    const std::size_t entries = exact.inputs.size() * exact.outputs.size();
+    const std::size_t entries = m_result.inputs().size() * m_result.outputs().size();
     if (entries > SolvedKinematics::kMaxSymbolicEntries) {
       m_result.diagnostics.push_back(skipped(
           translated("The symbolic solution has %1 entries; it was left out.", {std::to_string(entries)})));
@@ -34,7 +56,7 @@ class SymbolicPass {
   bool byMatroid() {
     const CoefficientMatrix coefficients(m_mechanism, *m_live.model, m_live.placement());
     m_result.symbolic = solveSymbolic(m_mechanism, *m_live.model, coefficients,
-                                      m_live.matroid->independentEquations(), m_result.exact->inputs, m_stop);
+                                      m_live.matroid->independentEquations(), m_result.inputs(), m_stop);
     if (m_stop.stop_requested()) return false;
     if (!m_result.symbolic) {
       m_result.diagnostics.push_back(skipped(translated(
@@ -84,6 +106,10 @@ LiveKinematicsPtr liveKinematics(const PlacedMechanism& placed, const std::stop_
     live->engagement = std::move(engagement.diagnostics);
   }
   if (live->model && live->engagement.empty()) {
+    if (const auto mixed = live->model->mixedEquation())
+      live->engagement.push_back(piMixed(placed, *live->model, *mixed));
+  }
+  if (live->model && live->engagement.empty()) {
     live->matroid = analyzeMatroid(placed, *live->model, placement, stop);
     if (!live->matroid) return nullptr;
   }
@@ -96,12 +122,19 @@ SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinem
   auto solved = std::make_shared<SolvedKinematics>();
   const std::vector<int>& inputs = live.matroid->choice.joints;
   const std::vector<Rational>& speeds = live.matroid->speeds;
-  solved->exact = solveExact(*live.model, inputs, speeds, stop);
-  if (!solved->exact) return nullptr;
+  if (live.model->hasPi()) {
+    solved->pi = solvePi(*live.model, inputs, speeds, stop);
+  } else {
+    solved->exact = solveExact(*live.model, inputs, speeds, stop);
+  }
+  if (!solved->exact && !solved->pi) return nullptr;
 
   if (live.ttGraph->isComplete()) {
     solved->ttPlan = substitutionPlan(*live.ttGraph, inputs);
-    if (solved->exact->matrix.empty()) {  // too large to hold: the rates are compared instead
+    if (solved->pi) {
+      if (!solved->pi->matrix.empty() && (solved->ttPi = ttPiSolution(*live.ttGraph, solved->ttPlan, stop)))
+        solved->agreement = agreementOf(*solved->pi, *solved->ttPi);
+    } else if (solved->exact->matrix.empty()) {  // too large to hold: the rates are compared instead
       solved->agreement = agreementWith(*live.ttGraph, *solved->exact, speeds, stop);
     } else if ((solved->ttExact = ttSolution(*live.ttGraph, solved->ttPlan, stop))) {
       solved->agreement = agreementOf(*solved->exact, *solved->ttExact);

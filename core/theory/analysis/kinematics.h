@@ -22,9 +22,10 @@ struct LiveKinematics {
   PlacedMechanism placed;
   std::shared_ptr<const TtGraph> ttGraph;  ///< never null; complete or not
   std::optional<KinematicModel> model;     ///< none if a mesh has no geometry
-  /// None without the model, or where an engaged coupling closes a linkage.
+  /// None without the model, where an engaged coupling closes a linkage, or where pi is mixed.
   std::optional<MatroidAnalysis> matroid;
-  Diagnostics engagement;  ///< turning-loop of engaged couplings
+  /// turning-loop of engaged couplings, pi-mixed: there is no matroid analysis then
+  Diagnostics engagement;
 
   [[nodiscard]] const Placement& placement() const { return placed.placement(); }
 };
@@ -47,16 +48,22 @@ struct SolvedKinematics {
   /// symbolic-skipped.
   static constexpr std::size_t kMaxSymbolicEntries = 20'000;
 
-  std::optional<ExactSolution> exact;
+  std::optional<ExactSolution> exact;        ///< none where a row has a power of pi,
+  std::optional<PiSolution> pi;              ///< which is there then
   std::optional<SymbolicSolution> symbolic;  ///< none if switched off or over its budget
   SubstitutionPlan ttPlan;
   std::optional<RateMatrix<Rational>> ttExact;  ///< none above ExactSolution::kMaxExactEntries
+  std::optional<RateMatrix<PiNumber>> ttPi;     ///< instead of it beside `pi`
   std::optional<RateMatrix<std::optional<RationalFunction>>>
       ttSymbolic;  ///< in the names i_k; with `symbolic`
   /// The chain (39)-(42) in the T-T graph's own names; with ttSymbolic.
   std::optional<std::vector<SubstitutionStep>> ttSteps;
   std::optional<Agreement> agreement;
   Diagnostics diagnostics;  ///< symbolic-skipped
+
+  /// The inputs and outputs of the solution, whichever there is.
+  [[nodiscard]] const std::vector<int>& inputs() const { return exact ? exact->inputs : pi->inputs; }
+  [[nodiscard]] const std::vector<int>& outputs() const { return exact ? exact->outputs : pi->outputs; }
 };
 
 using SolvedKinematicsPtr = std::shared_ptr<const SolvedKinematics>;

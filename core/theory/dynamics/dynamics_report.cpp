@@ -2,6 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/translation.h"
+#include "core/mechanism/model/slide_checks.h"
 #include "core/theory/pose/turning_lines.h"
 #include "core/theory/statics/applied_loads.h"
 
@@ -80,6 +81,7 @@ std::optional<Expected<MechanismDynamics>> dynamicsOf(const Mechanism& mechanism
                                                       const MatroidAnalysis& analysis, const GearTrain& train,
                                                       const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(analysis.solution.has_value());
+  if (hasSlides(mechanism)) return slidesNotCovered(mechanism, translated("The equation of motion"));
   const LiveSolution& solution = *analysis.solution;
   GEARGRAPH_REQUIRE(solution.matrix.size() == solution.inputs.size() * solution.outputs.size());
   const auto exactMetres = metresPerUnit(mechanism);

@@ -45,8 +45,9 @@ std::optional<Rational> CoefficientMatrix::exactRadius(MeshOrdinal mesh, bool ta
   return (dot(screw.moment, screw.moment) / dot(screw.direction, screw.direction)).squareRoot();
 }
 
-Rational CoefficientMatrix::ratio(MeshOrdinal mesh) const {
-  return {m_model.meshRow(mesh).tailTeeth, m_model.meshRow(mesh).headTeeth};
+PiNumber CoefficientMatrix::piRatio(MeshOrdinal mesh) const {
+  const KinematicModel::MeshRow& row = m_model.meshRow(mesh);
+  return {Rational(row.tailTeeth, row.headTeeth), -row.pi};
 }
 
 }  // namespace geargraph

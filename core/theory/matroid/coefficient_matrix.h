@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/foundations/exact/pi_number.h"
 #include "core/theory/matroid/kinematic_model.h"
 
 namespace geargraph {
@@ -39,8 +40,11 @@ class CoefficientMatrix {
   /// |P_c,e| of the joints on the tail's axis (or the head's) as a fraction; std::nullopt if it is
   /// irrational.
   [[nodiscard]] std::optional<Rational> exactRadius(MeshOrdinal mesh, bool tail) const;
-  /// i of the mesh, N_tail / N_head [AU, Eq. (20)].
-  [[nodiscard]] Rational ratio(MeshOrdinal mesh) const;
+  /// i of the mesh, N_tail / N_head [AU, Eq. (20)]; where one side slides, the travel or the angle of the
+  /// head's side for one unit of the tail's. @pre without a power of pi
+  [[nodiscard]] Rational ratio(MeshOrdinal mesh) const { return piRatio(mesh).rational(); }
+  /// The same with any power of pi.
+  [[nodiscard]] PiNumber piRatio(MeshOrdinal mesh) const;
 
  private:
   const Mechanism& m_mechanism;

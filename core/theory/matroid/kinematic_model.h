@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/foundations/exact/fields.h"
 #include "core/foundations/exact/sparse_rows.h"
 #include "core/mechanism/graph/matrices.h"
 #include "core/mechanism/placement/placement.h"
@@ -25,8 +26,9 @@ class KinematicModel {
   /// on the tail's axis, the head's gear -s N_head, the carrier s N_head on the head's axis.
   struct MeshRow {
     std::array<int, 4> links{};
-    int tailTeeth = 1;
+    int tailTeeth = 1;  ///< N_tail; where a side slides, the weight of the tail (MeshWeights)
     int headTeeth = 1;
+    int pi = 0;    ///< MeshWeights::pi: N_tail : N_head are tailTeeth : headTeeth pi^pi
     int sign = 1;  ///< s
   };
   /// theta = sign * (phi_child - phi_parent); parent 0: the parent is the root link of the class and drops
@@ -66,7 +68,20 @@ class KinematicModel {
   [[nodiscard]] int equations() const { return c() + static_cast<int>(m_held.size()); }
   [[nodiscard]] const std::vector<HeldRow>& held() const { return m_held; }
   /// Sets the rows of the engaged couplings, in place of any set before.
-  void hold(std::vector<HeldRow> rows) { m_held = std::move(rows); }
+  void hold(std::vector<HeldRow> rows) {
+    m_held = std::move(rows);
+    countPi();
+  }
+
+  /// Ties a row a length to an angle by a power of pi?
+  [[nodiscard]] bool hasPi() const { return m_hasPi; }
+  /// Equations round a loop that has a power of pi against one that has none, so that no unknown can be
+  /// counted in one power: the first of them; none as a rule.
+  [[nodiscard]] std::optional<int> mixedEquation() const { return m_mixed; }
+  /// The power g of a joint's rate: rates are fractions times pi^(g of the joint - g of the input) where one
+  /// input moves. All are 0 without hasPi(). Systems over fractions leave pi out (weightIn()), and solve for
+  /// rates divided by pi^g. @pre there is no mixedEquation()
+  [[nodiscard]] int piOf(JointOrdinal joint) const { return m_pi[m_rates[joint].child]; }
 
   [[nodiscard]] const MeshRow& meshRow(MeshOrdinal mesh) const { return m_rows[mesh]; }
   /// @pre equation >= c()
@@ -93,7 +108,7 @@ class KinematicModel {
   template <class Field>
   void addMeshRow(SparseRows<typename Field::Value>& rows, MeshOrdinal mesh, const Field& field) const {
     const MeshRow& row = meshRow(mesh);
-    addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
+    addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), weightIn(field, row.headTeeth, row.pi));
   }
   /// Adds the entries of an engaged coupling likewise.
   template <class Field>
@@ -125,12 +140,17 @@ class KinematicModel {
 
  private:
   KinematicModel() = default;
+  /// Walks the unknowns from row to row, for m_pi and m_mixed.
+  void countPi();
 
   DigraphPtr m_graph;
   SpanningTreePtr m_tree;
   ByMesh<MeshRow> m_rows;
   std::vector<HeldRow> m_held;
   ByJoint<JointRate> m_rates;
+  bool m_hasPi = false;
+  std::optional<int> m_mixed;
+  ByLink<int> m_pi;  ///< the powers of the phi
 };
 
 }  // namespace geargraph

@@ -180,6 +180,10 @@ std::vector<Vector3> linkVelocities(const KinematicModel& model, const Placement
   for (const LinkOrdinal node : model.tree().preorder()) {
     if (node == 0) continue;
     const JointOrdinal joint = model.tree().jointToParent(node);
+    if (placement.classes->classes[placement.classes->classOf[joint]].kind == JointKind::sliding) {
+      velocities[node] = velocities[model.tree().parent(node)];
+      continue;
+    }
     const double speed = -model.tree().directionToGround(joint) * rates[static_cast<std::size_t>(joint)];
     const Vector3& direction = placement.axes[placement.tree->axisOf[joint]].direction;
     velocities[node] = velocities[model.tree().parent(node)] + speed * direction;

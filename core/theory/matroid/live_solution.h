@@ -41,7 +41,7 @@ template <class Field>
 struct LiveSolution {
   std::vector<int> inputs;   ///< joints, in column order
   std::vector<int> outputs;  ///< the other joints, by label
-  ByJoint<double> rates;     ///< for the given speeds, rad/s
+  ByJoint<double> rates;     ///< for the given speeds, rad/s, of sliding joints lengths a second
   /// theta_outputs = matrix * theta_inputs, row by row: -P_r^-1 P_E. Empty above kMaxLiveEntries.
   std::vector<double> matrix;
 

@@ -188,7 +188,10 @@ RatioRingPtr ratioRingOf(const Mechanism& mechanism) {
   teeth.reserve(mechanism.gearMeshes.size());
   for (MeshOrdinal mesh = 0; mesh < mechanism.c(); ++mesh) {
     names.emplace_back("i").append(std::to_string(mechanism.meshLabel(mesh)));
-    teeth.push_back({mechanism.gearMeshes[mesh].tailTeeth, mechanism.gearMeshes[mesh].headTeeth});
+    const GearMesh& element = mechanism.gearMeshes[mesh];
+    const bool ofTail = slides(saidKind(element)) && tailSlides(mechanism, element);
+    const MeshWeights weights = weightsOf(element, ofTail).value_or(MeshWeights());
+    teeth.push_back({weights.tail, weights.head});
   }
   return std::make_shared<RatioRing>(std::move(names), std::move(teeth));
 }

@@ -38,7 +38,8 @@ struct SymbolicSolution {
   int skipped = 0;  ///< entries that exceeded the budget
 };
 
-/// The ring of the mechanism's ratios with their values.
+/// The ring of the mechanism's ratios with their values, without powers of pi: where a side slides, a
+/// function that is 0 at these is 0 at the ratios themselves (KinematicModel::piOf()).
 [[nodiscard]] RatioRingPtr ratioRingOf(const Mechanism& mechanism);
 
 /// std::nullopt if `stop` was requested, or the coupled core of the equations alone exceeded the budget.

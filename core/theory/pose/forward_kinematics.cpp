@@ -33,9 +33,15 @@ void ForwardKinematics::place(std::span<const double> jointAngles, std::span<Eig
   poses[0] = Eigen::Isometry3d::Identity();
   for (const Step& step : m_steps) {
     const auto joint = static_cast<std::size_t>(step.joint);
-    const double angle = std::remainder(jointAngles[joint], 2 * std::numbers::pi);
-    poses[static_cast<std::size_t>(step.node)] =
-        poses[static_cast<std::size_t>(step.parent)] * turnAbout(m_lines[joint], step.sense * angle);
+    const TurningLine& line = m_lines[joint];
+    Eigen::Isometry3d& pose = poses[static_cast<std::size_t>(step.node)];
+    pose = poses[static_cast<std::size_t>(step.parent)];
+    if (line.kind == JointKind::sliding) {
+      pose.translate(step.sense * jointAngles[joint] * line.direction);
+    } else {
+      const double angle = std::remainder(jointAngles[joint], 2 * std::numbers::pi);
+      pose = pose * turnAbout(line, step.sense * angle);
+    }
   }
 }
 

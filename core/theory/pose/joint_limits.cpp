@@ -12,8 +12,9 @@ std::vector<AngleLimits> angleLimits(const Mechanism& mechanism) {
   std::vector<AngleLimits> limits(mechanism.turningJoints.size());
   for (std::size_t joint = 0; joint < limits.size(); ++joint) {
     const JointLimits& given = mechanism.turningJoints[joint].limits;
-    if (given.low) limits[joint].low = given.low->value() * kDegree;
-    if (given.high) limits[joint].high = given.high->value() * kDegree;
+    const double unit = slides(mechanism.turningJoints[joint]) ? 1 : kDegree;
+    if (given.low) limits[joint].low = given.low->value() * unit;
+    if (given.high) limits[joint].high = given.high->value() * unit;
   }
   return limits;
 }

@@ -8,13 +8,14 @@
 
 namespace geargraph {
 
-/// How far a joint may turn from the reference pose, rad; infinite where an end is open.
+/// How far a joint may turn from the reference pose, rad, or slide, in the document's unit; infinite where an
+/// end is open.
 struct AngleLimits {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// The limits of all turning joints, by joint. Cost: O(t).
+/// The limits of all joints, by joint. Cost: O(t).
 [[nodiscard]] std::vector<AngleLimits> angleLimits(const Mechanism& mechanism);
 
 /// The interval of time, s, in which all joints stay within their limits when each turns at a constant rate;

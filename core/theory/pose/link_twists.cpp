@@ -18,6 +18,11 @@ std::vector<LinkTwist> linkTwists(const SpanningTree& tree, const ForwardKinemat
     const double rate = -tree.directionToGround(joint) * jointRates[static_cast<std::size_t>(joint)];
     const Eigen::Vector3d about = rate * (poses[parent].linear() * line.direction);
     LinkTwist& twist = twists[node];
+    if (line.kind == JointKind::sliding) {
+      twist.angular = twists[parent].angular;
+      twist.linear = twists[parent].linear + about;
+      continue;
+    }
     twist.angular = twists[parent].angular + about;
     twist.linear = twists[parent].linear + (poses[parent] * line.point).cross(about);
   }

@@ -21,7 +21,7 @@ struct LinkTwist {
 
 /// Twists by node in these poses: the parent's twist plus that of the joint about its line in the pose.
 /// Identity: the derivative of ForwardKinematics::poses by time. Cost: O(n).
-/// @pre one pose per link, one rate (rad/s) per joint
+/// @pre one pose per link, one rate (rad/s, of sliding joints lengths a second) per joint
 [[nodiscard]] std::vector<LinkTwist> linkTwists(const SpanningTree& tree, const ForwardKinematics& kinematics,
                                                 std::span<const Eigen::Isometry3d> poses,
                                                 std::span<const double> jointRates);

@@ -8,9 +8,10 @@ std::vector<TurningLine> turningLines(const Placement& placement) {
   GEARGRAPH_REQUIRE(placement.tree.has_value());
   std::vector<TurningLine> lines;
   lines.reserve(placement.tree->axisOf.size());
-  for (const AxisOrdinal axis : placement.tree->axisOf) {
-    const AxisLine& line = placement.axes[axis];
-    lines.push_back({Eigen::Vector3d(line.point.data()), Eigen::Vector3d(line.direction.data())});
+  for (JointOrdinal joint = 0; joint < static_cast<int>(placement.tree->axisOf.size()); ++joint) {
+    const AxisLine& line = placement.axes[placement.tree->axisOf[joint]];
+    lines.push_back({Eigen::Vector3d(line.point.data()), Eigen::Vector3d(line.direction.data()),
+                     placement.classes->classes[placement.classes->classOf[joint]].kind});
   }
   return lines;
 }

@@ -7,7 +7,7 @@
 
 namespace geargraph {
 
-/// The lines of all turning joints, by joint, in the reference pose; each points as the joint's own axis
+/// The lines of all joints, by joint, in the reference pose; each points as the joint's own axis
 /// does. Cost: O(t).
 /// @pre the placement has a tree
 [[nodiscard]] std::vector<TurningLine> turningLines(const Placement& placement);

@@ -8,6 +8,8 @@
 namespace geargraph {
 
 int directionSign(const Placement& placement, AxisGroupOrdinal oneClass, AxisGroupOrdinal otherClass) {
+  const auto& classes = placement.classes->classes;
+  if (classes[oneClass].kind != classes[otherClass].kind) return 0;
   const Vector3& one = placement.lineOfClass(oneClass).direction;
   const Vector3& other = placement.lineOfClass(otherClass).direction;
   if (length(cross(one, other)) >= kSameLine) return 0;

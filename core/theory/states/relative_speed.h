@@ -52,8 +52,8 @@ struct SpeedAbout {
 [[nodiscard]] std::vector<SpeedAbout> absoluteSpeed(const Placement& placement,
                                                     std::span<const Rational> rates, LinkOrdinal link);
 
-/// +1 where the lines of two classes point the same way, -1 where opposite ways, 0 where they are not
-/// parallel.
+/// +1 where the lines of two classes of one kind point the same way, -1 where opposite ways, 0 where they are
+/// not parallel, or one turns and the other one slides.
 [[nodiscard]] int directionSign(const Placement& placement, AxisGroupOrdinal oneClass,
                                 AxisGroupOrdinal otherClass);
 

@@ -81,7 +81,9 @@ class EngagementEdit {
     model.hold(engagementOf(m_before, m_placement, engagedCouplings(m_before)).rows);
     const auto analysis = analyzeMatroid(m_before, model, m_placement);
     Motion motion{analysis->choice.joints, {}};
-    if (analysis->solution) motion.rates = solveExact(model, motion.driven, analysis->speeds)->rates;
+    if (!analysis->solution) return motion;
+    if (auto exact = solveExact(model, motion.driven, analysis->speeds))
+      motion.rates = std::move(exact->rates);
     return motion;
   }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "core/foundations/base/position_index.h"
+#include "core/foundations/base/translation.h"
 #include "core/foundations/exact/expansion.h"
+#include "core/mechanism/model/slide_checks.h"
 #include "core/theory/matroid/symbolic_solution.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/state_diagnostics.h"
@@ -34,6 +36,10 @@ class StateSolver {
     for (const ShiftElementId id : state.engaged) result.engaged.push_back(m_couplingAt.at(id));
     std::sort(result.engaged.begin(), result.engaged.end());
     result.engaged.erase(std::unique(result.engaged.begin(), result.engaged.end()), result.engaged.end());
+    if (m_model.hasPi()) {
+      result.diagnostics.push_back(slidesNotCovered(m_mechanism, translated("Ratios of states with pi")));
+      return result;
+    }
     const std::vector<int> freewheels = freewheelsOf();
     if (freewheels.empty() || !state.drive || !state.driven) return solvedAsEngaged(std::move(result));
     return solvedByPatterns(state, std::move(result), freewheels);

@@ -33,6 +33,7 @@ std::map<JointId, Rational> speedsOf(const Mechanism& mechanism) {
   const auto analysis = analyzeMatroid(mechanism, *model, placement);
   if (!analysis->solution) return speeds;
   const auto exact = solveExact(*model, analysis->choice.joints, analysis->speeds);
+  if (!exact) return speeds;  // with powers of pi: they choose their inputs anew
   for (JointOrdinal joint = 0; joint < mechanism.t(); ++joint)
     speeds.emplace(mechanism.turningJoints[joint].id, exact->rates[joint]);
   return speeds;

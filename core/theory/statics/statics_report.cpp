@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/foundations/base/position_index.h"
+#include "core/foundations/base/translation.h"
+#include "core/mechanism/model/slide_checks.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/engagement.h"
 #include "core/theory/states/state_solution.h"
@@ -47,6 +49,10 @@ class Analysis {
   std::optional<StaticsReport> run() {
     m_report.state = m_options.state;
     m_report.sharing = m_options.sharing ? m_options.sharing : m_mechanism.sharing;
+    if (hasSlides(m_mechanism)) {
+      add(slidesNotCovered(m_mechanism, translated("Torques and forces")));
+      return std::move(m_report);
+    }
     if (!takeMotion()) return std::nullopt;
     if (hasErrors(m_report.diagnostics)) return std::move(m_report);
     m_report.isSolved = true;

@@ -89,12 +89,35 @@ class Classifier {
     m_here.clear();
     for (const JointOrdinal joint : here) {
       const AxisOrdinal axis = m_axisOf[joint];
+      if (isSliding(joint)) {
+        uniteSlides(joint, here);
+        continue;
+      }
       m_here.push_back({m_keys[static_cast<std::size_t>(axis)], axis, joint});
     }
     std::sort(m_here.begin(), m_here.end(), [](const Candidate& a, const Candidate& b) {
       return a.key != b.key ? a.key < b.key : a.axis < b.axis;
     });
     for (std::size_t a = 0; a + 1 < m_here.size(); ++a) uniteWithNext(a);
+  }
+
+  [[nodiscard]] bool isSliding(JointOrdinal joint) const { return slides(m_mechanism.turningJoints[joint]); }
+
+  /// With those before it that slide the same way.
+  void uniteSlides(JointOrdinal joint, std::span<const int> here) {
+    for (const JointOrdinal other : here) {
+      if (other == joint) return;
+      if (isSliding(other) && slideTogether(joint, other)) unite(joint, other);
+    }
+  }
+  [[nodiscard]] bool slideTogether(JointOrdinal joint, JointOrdinal other) const {
+    const AxisOrdinal a = m_axisOf[joint];
+    const AxisOrdinal b = m_axisOf[other];
+    if (a == b) return true;
+    const AxisLine* const one = m_lines.axis(a);
+    const AxisLine* const two = m_lines.axis(b);
+    if (one == nullptr || two == nullptr || one->automatic || two->automatic) return false;
+    return areParallel(one->direction, two->direction);
   }
 
   void uniteWithNext(std::size_t first) {
@@ -118,7 +141,7 @@ class Classifier {
       const int earlier = m_parent[static_cast<std::size_t>(j)];  // of the same level
       if (earlier == j) {
         m_levels.ofJoint.push_back(m_levels.count());
-        m_levels.axes.push_back({axis, m_mechanism.axes[axis].id});
+        m_levels.axes.push_back({axis, m_mechanism.axes[axis].id, m_mechanism.turningJoints[j].kind});
         continue;
       }
       const int level = m_levels.ofJoint[earlier];
@@ -128,7 +151,7 @@ class Classifier {
       if (dot(m_lines.axis(along)->direction, m_lines.axis(axis)->direction) < 0) {
         m_levels.reversed.insert(j);
       }
-      m_joined.emplace(axis, level);
+      if (!m_levels.isSliding(level)) m_joined.emplace(axis, level);
     }
   }
 
@@ -136,12 +159,14 @@ class Classifier {
     std::unordered_set<std::string> taken;  // needed where an axis splits only
     std::pmr::vector<char> used(m_mechanism.axes.size(), 0, &m_scratch);
     for (int level = 0; level < m_levels.count(); ++level) {
-      const auto& [axis, id] = m_levels.axes[static_cast<std::size_t>(level)];
-      if (std::exchange(used[static_cast<std::size_t>(axis)], 1) == 0) continue;
+      const auto& [axis, id, kind] = m_levels.axes[static_cast<std::size_t>(level)];
+      const char before =
+          std::exchange(used[static_cast<std::size_t>(axis)], m_levels.isSliding(level) ? 2 : 1);
+      if (before == 0) continue;
       if (taken.empty()) {
         for (const Axis& other : m_mechanism.axes) taken.insert(other.id.text());
       }
-      m_split.insert(axis);
+      if (before == 1 && kind == JointKind::turning) m_split.insert(axis);
       std::string name = id.text();
       while (!taken.insert(name).second) name += "'";
       m_levels.primedNames.emplace(level, std::move(name));
@@ -156,7 +181,9 @@ class Classifier {
     // An axis splits where it gives two levels their lines, or one and joins another's.
     if (m_joined.empty() && m_split.empty()) return;
     std::unordered_set<int> own;
-    for (const AxisLevels::Axis& axis : m_levels.axes) own.insert(axis.position);
+    for (const AxisLevels::Axis& axis : m_levels.axes) {
+      if (axis.kind == JointKind::turning) own.insert(axis.position);
+    }
     for (auto joined = m_joined.begin(); joined != m_joined.end(); ++joined) {
       const auto next = std::next(joined);
       const AxisOrdinal axis = joined->first;
@@ -169,7 +196,8 @@ class Classifier {
     std::vector<int> levels;
     for (std::size_t j = 0; j < joints(); ++j) {
       const int found = m_levels.ofJoint[j];
-      if (m_axisOf[j] == axis && std::find(levels.begin(), levels.end(), found) == levels.end())
+      if (m_axisOf[j] == axis && !m_levels.isSliding(found) &&
+          std::find(levels.begin(), levels.end(), found) == levels.end())
         levels.push_back(found);
     }
     Diagnostic diagnostic;
@@ -179,7 +207,7 @@ class Classifier {
     std::vector<std::string> labels;
     std::vector<std::string> names;
     for (std::size_t j = 0; j < joints(); ++j) {
-      if (m_axisOf[j] != axis) continue;
+      if (m_axisOf[j] != axis || m_levels.isSliding(m_levels.ofJoint[j])) continue;
       labels.push_back(labelOfJoint(j));
       diagnostic.elements.emplace_back(m_mechanism.turningJoints[j].id);
     }

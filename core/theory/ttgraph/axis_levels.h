@@ -17,11 +17,13 @@ namespace geargraph {
 /// Two joints are on one level if they share a link and are collinear in the drawn pose, or through others
 /// that are. Lines are never compared across the mechanism: axes 1 and 3 of a robot wrist coincide in the
 /// drawn pose and are two axes. Where the user has given an axis no line, its id in the document decides.
+/// Sliding joints are on one level if they share a link and slide in parallel; none turns.
 struct AxisLevels {
   /// The axis of the level's first joint, which gives the level its direction.
   struct Axis {
     int position = 0;  ///< in the document
     AxisId id;
+    JointKind kind = JointKind::turning;  ///< of its joints
   };
 
   ByJoint<int> ofJoint;    ///< its level
@@ -34,6 +36,9 @@ struct AxisLevels {
   [[nodiscard]] int count() const { return static_cast<int>(axes.size()); }
   /// The position of the level's axis in the document.
   [[nodiscard]] int axisOf(int level) const { return axes[static_cast<std::size_t>(level)].position; }
+  [[nodiscard]] bool isSliding(int level) const {
+    return axes[static_cast<std::size_t>(level)].kind == JointKind::sliding;
+  }
   /// +1 if the joint's axis points as its level does, else -1.
   [[nodiscard]] int orientationSign(JointOrdinal joint) const {
     return !reversed.empty() && reversed.contains(joint) ? -1 : 1;

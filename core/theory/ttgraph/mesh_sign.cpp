@@ -58,9 +58,24 @@ std::optional<int> signOfSkew(const MeshPose& pose, const AxisLine& tail, const 
   return terminalRules()[*pose.kind].acrossSkew(pose.helices->first + pose.helices->second + crossing);
 }
 
+std::optional<int> signOfSlide(const MeshPose& pose) {
+  const bool isOneOfEach = pose.tailSlides != pose.headSlides;
+  if (!isOneOfEach || !pose.kind || !slides(*pose.kind) || !pose.helices || pose.pitchPoint == nullptr)
+    return std::nullopt;
+  const AxisLine& turning = pose.tailSlides ? *pose.headAxis : *pose.tailAxis;
+  const AxisLine& sliding = pose.tailSlides ? *pose.tailAxis : *pose.headAxis;
+  const double helix = pose.tailSlides ? pose.helices->second : pose.helices->first;
+  return terminalRules()[*pose.kind].alongSlide(
+      {turning.direction, sliding.direction, armTo(turning, *pose.pitchPoint), helix});
+}
+
 }  // namespace
 
 std::optional<int> meshSign(const MeshPose& pose) {
+  if (pose.tailSlides || pose.headSlides || (pose.kind && slides(*pose.kind))) {
+    const bool isPlaced = pose.tailAxis != nullptr && pose.headAxis != nullptr;
+    return isPlaced ? signOfSlide(pose) : std::nullopt;
+  }
   if (pose.tailAxis != nullptr && pose.headAxis != nullptr) {
     if (pose.kind && hasSkewAxes(*pose.kind)) return signOfSkew(pose, *pose.tailAxis, *pose.headAxis);
     return areParallel(pose.tailAxis->direction, pose.headAxis->direction)

@@ -16,6 +16,8 @@ struct MeshPose {
   std::optional<MeshKind> kind;
   /// Of gears on skew axes: the helix angles of the tail's and the head's, rad, positive right-hand.
   std::optional<std::pair<double, double>> helices = {};
+  bool tailSlides = false;  ///< its axis is that of a slide
+  bool headSlides = false;
 };
 
 /// The sign s of the terminal equation N_i w_ik = s N_j w_jk [AU, below Eq. (26)]: +1 if both gears turn the
@@ -32,6 +34,11 @@ struct MeshPose {
 /// Skew axes: with Sigma the angle from the tail's direction to the head's about the common perpendicular
 /// from tail to head, the teeth run the same way where they touch if beta_i + beta_j + Sigma is a whole
 /// number of half turns; an even one is -1, an odd one +1.
+///
+/// A side that slides: with u the axis of the pinion, rho the way from it to the pitch point and d the
+/// direction of the slide, +1 where d goes with u x rho (and so with the motion of the pinion's teeth there);
+/// a thread is -1 if it is right-hand and both directions agree. s is the sign of a speed against an angular
+/// velocity then.
 ///
 /// std::nullopt if the drawn pose does not determine it: a bevel pair without its pitch point, skew axes
 /// without helices.

@@ -23,11 +23,27 @@ std::optional<int> asHandsSay(double sum) {
   return std::cos(sum) > 0 ? -1 : 1;
 }
 
+/// The teeth of the pinion push the rack square to themselves: forward, unless it slides so far aside of the
+/// way in which the pinion rolls that they are past it.
+std::optional<int> asPinionRolls(const SlidePose& pose) {
+  const Vector3 rolling = unit(cross(pose.axis, pose.arm));
+  const double aside = std::atan2(dot(pose.slide, pose.axis), dot(pose.slide, rolling));
+  return std::cos(pose.helix + aside) > 0 ? 1 : -1;
+}
+
+/// A right-hand screw that turns on advances in its nut: the nut, which cannot turn, comes back.
+std::optional<int> asNutComesBack(const SlidePose& pose) {
+  const bool isRight = pose.helix > 0;
+  return isRight == (dot(pose.axis, pose.slide) > 0) ? -1 : 1;
+}
+
 constexpr TerminalRule kExternalTerminals{againstEachOther};
 constexpr TerminalRule kInternalTerminals{theSameWay};
 constexpr TerminalRule kBevelTerminals{asThePointSays};
 constexpr TerminalRule kOpenStrandTerminals{theSameWay};
 constexpr TerminalRule kPinTerminals{theSameWay};
+constexpr TerminalRule kRackTerminals{.alongParallels = asThePointSays, .alongSlide = asPinionRolls};
+constexpr TerminalRule kScrewTerminals{.alongParallels = asThePointSays, .alongSlide = asNutComesBack};
 constexpr TerminalRule kCrossedTerminals{asThePointSays, asHandsSay};
 
 }  // namespace
@@ -35,7 +51,7 @@ constexpr TerminalRule kCrossedTerminals{asThePointSays, asHandsSay};
 KindTable<MeshKind, TerminalRule>& terminalRules() {
   static constinit KindTable<MeshKind, TerminalRule> table(
       &kExternalTerminals, &kInternalTerminals, &kBevelTerminals, &kOpenStrandTerminals, &kPinTerminals,
-      &kCrossedTerminals, &kCrossedTerminals);
+      &kRackTerminals, &kScrewTerminals, &kCrossedTerminals, &kCrossedTerminals);
   return table;
 }
 

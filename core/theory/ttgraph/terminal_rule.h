@@ -2,9 +2,18 @@
 
 #include <optional>
 
+#include "core/foundations/base/triple.h"
 #include "core/mechanism/kinds/pair_kind.h"
 
 namespace geargraph {
+
+/// A pair of which one side turns and the other one slides, in the drawn pose.
+struct SlidePose {
+  Vector3 axis;      ///< the direction about which the one turns,
+  Vector3 slide;     ///< and that along which the other slides, both of length 1
+  Vector3 arm;       ///< from the axis to the pitch point, square to the axis
+  double helix = 0;  ///< of the side that turns, rad, positive right-hand
+};
 
 /// What the T-T graph knows of a kind of gear pair: the sign of its terminal equation (mesh_sign.h) as far as
 /// it needs no pitch point. It takes no step of the other method, which has the sign from the pitch radii.
@@ -15,6 +24,9 @@ struct TerminalRule {
   /// For skew axes: from the sum beta_i + beta_j + Sigma of the helix angles and the crossing angle, a whole
   /// number of half turns, because the teeth of both run the same way where they touch.
   std::optional<int> (*acrossSkew)(double sum) = nullptr;
+  /// For a side that turns and one that slides: +1 where a positive speed of the one goes with a positive
+  /// speed of the other.
+  std::optional<int> (*alongSlide)(const SlidePose& pose) = nullptr;
 };
 
 [[nodiscard]] KindTable<MeshKind, TerminalRule>& terminalRules();

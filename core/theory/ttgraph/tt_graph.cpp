@@ -16,7 +16,8 @@ std::optional<int> signFromPlaces(const MeshPose& pose,
   AxisLine head = *pose.headAxis;
   tail.point = {0, 0, 0};
   head.point = places->headPoint;
-  return meshSign({&tail, &head, &places->pitchPoint, pose.kind, places->helices});
+  return meshSign(
+      {&tail, &head, &places->pitchPoint, pose.kind, places->helices, pose.tailSlides, pose.headSlides});
 }
 
 }  // namespace
@@ -67,6 +68,7 @@ void TtGraph::addHeld(const Mechanism& mechanism, const ReferenceLines& lines) {
   // Along parallel levels velocities add up like voltages: +1 or -1 between their directions, else 0.
   const auto along = [&](int level, int other) {
     if (level == other) return 1;
+    if (m_levels.isSliding(level) != m_levels.isSliding(other)) return 0;
     const AxisLine* const one = lines.axis(m_levels.axisOf(level));
     const AxisLine* const two = lines.axis(m_levels.axisOf(other));
     if (one == nullptr || two == nullptr) return 0;
@@ -107,20 +109,28 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
       continue;
     }
     const GearMesh& pair = mechanism.gearMeshes[at];
-    const MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind, {}};
+    const bool ofTail = m_levels.isSliding(vertex->tailLevel);
+    const MeshPose pose{lineOf(vertex->tailLevel),
+                        lineOf(vertex->headLevel),
+                        nullptr,
+                        pair.kind,
+                        {},
+                        ofTail,
+                        m_levels.isSliding(vertex->headLevel)};
     std::optional<int> sign = pair.kind ? meshSign(pose) : std::nullopt;
     if (!sign) {  // the kind alone does not tell, so the place of the pitch point has to
       sign = signFromPlaces(pose, lines.placesOf(mesh));
     }
     if (sign && pair.crossed) sign = -*sign;  // a strand that crosses over turns the other pulley back
-    if (!sign) {
+    const std::optional<MeshWeights> weights = weightsOf(pair, ofTail);
+    if (!sign || !weights) {
       m_unsigned.push_back(mesh);
       m_complete = false;
       continue;
     }
     const DigraphEdge& edge = m_graph->meshEdge(mesh);
-    terminal = TerminalPair{mesh,     edge.tail, edge.head,      vertex->carrier,
-                            mesh + 1, *sign,     pair.tailTeeth, pair.headTeeth};
+    terminal = TerminalPair{mesh,  edge.tail,     edge.head,     vertex->carrier, mesh + 1,
+                            *sign, weights->tail, weights->head, weights->pi};
   }
 }
 

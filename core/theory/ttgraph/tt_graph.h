@@ -17,15 +17,18 @@ namespace geargraph {
 /// number of primes [AU, Fig. 4(b), Fig. 6], and its terminal equation [AU, Eqs. (26)-(30)]
 ///
 ///     w_ik = sign * (N_j / N_i) * w_jk          i the tail gear, j the head gear
+///
+/// Where one of them slides in the carrier, its w is a speed along its axis.
 struct TerminalPair {
   MeshOrdinal mesh = 0;
   LinkOrdinal tail = 0;
   LinkOrdinal head = 0;
   LinkOrdinal carrier = 0;
   int primes = 1;
-  int sign = 0;  ///< -1: the gears turn against each other, each seen along its own axis
-  int tailTeeth = 0;
+  int sign = 0;       ///< -1: the gears turn against each other, each seen along its own axis
+  int tailTeeth = 0;  ///< where a side slides, weights (MeshWeights): a two-port between turning and sliding
   int headTeeth = 0;
+  int pi = 0;  ///< N_i : N_j are tailTeeth : headTeeth pi^pi
 };
 
 /// The term of a turning joint in a chord's velocity.

@@ -1,5 +1,7 @@
 #include "core/theory/ttgraph/tt_solution.h"
 
+#include <algorithm>
+
 #include "core/theory/ttgraph/level_system.h"
 #include "core/theory/ttgraph/notation.h"
 #include "core/theory/ttgraph/symbolic_system.h"
@@ -43,6 +45,83 @@ RateMatrix<Value> shapeOf(const SubstitutionPlan& plan) {
   return matrix;
 }
 
+/// The powers of pi in which the velocities of the branches are counted, so that every equation is one
+/// between fractions: along a circuit they are the same, and a terminal equation with pi raises them. Empty
+/// where none has pi.
+ByJoint<int> powersOfPi(const TtGraph& graph) {
+  const int meshes = graph.graph().c();
+  bool hasPi = false;
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) hasPi = hasPi || graph.terminal(mesh)->pi != 0;
+  if (!hasPi) return {};
+  struct Entry {
+    JointOrdinal joint = 0;
+    int raised = 0;
+  };
+  std::vector<std::vector<Entry>> equations(static_cast<std::size_t>(graph.equations()));
+  ByJoint<std::vector<int>> equationsOf(static_cast<std::size_t>(graph.graph().t()));
+  const auto enter = [&](int equation, std::span<const CircuitTerm> circuit, int raised) {
+    for (const CircuitTerm& term : circuit) {
+      equations[static_cast<std::size_t>(equation)].push_back({term.joint, raised});
+      equationsOf[term.joint].push_back(equation);
+    }
+  };
+  for (MeshOrdinal mesh = 0; mesh < meshes; ++mesh) {
+    enter(mesh, graph.tailCircuit(mesh), graph.terminal(mesh)->pi);
+    enter(mesh, graph.headCircuit(mesh), 0);
+  }
+  for (int equation = meshes; equation < graph.equations(); ++equation)
+    enter(equation, graph.heldCircuit(equation).terms, 0);
+
+  ByJoint<int> powers(equationsOf.size(), 0);
+  ByJoint<char> known(equationsOf.size(), 0);
+  std::vector<JointOrdinal> queue;
+  for (JointOrdinal seed = 0; seed < graph.graph().t(); ++seed) {
+    if (known[seed] != 0) continue;
+    known[seed] = 1;
+    queue.assign(1, seed);
+    while (!queue.empty()) {
+      const JointOrdinal from = queue.back();
+      queue.pop_back();
+      for (const int equation : equationsOf[from]) {
+        const std::vector<Entry>& entries = equations[static_cast<std::size_t>(equation)];
+        const auto own = std::find_if(entries.begin(), entries.end(),
+                                      [&](const Entry& entry) { return entry.joint == from; });
+        for (const Entry& entry : entries) {
+          if (known[entry.joint] != 0) continue;
+          known[entry.joint] = 1;
+          powers[entry.joint] = powers[from] - own->raised + entry.raised;
+          queue.push_back(entry.joint);
+        }
+      }
+    }
+  }
+  return powers;
+}
+
+/// The matrix in fractions, each entry as `entryOf(rate, joint, input)` makes it.
+template <class Value, class EntryOf>
+std::optional<RateMatrix<Value>> matrixOf(const TtGraph& graph, const SubstitutionPlan& plan,
+                                          const std::stop_token& stop, const EntryOf& entryOf) {
+  auto matrix = shapeOf<Value>(plan);
+  std::vector<Rational> unit(plan.inputs.size());
+  const bool done = withSystem(RationalField(), graph, plan, stop, [&](const auto& system) {
+    matrix.determined = system.openJoints().empty();
+    for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
+      if (stop.stop_requested()) return false;
+      unit[input] = 1;
+      auto [rates, holds] = system.solve(unit);
+      unit[input] = 0;
+      matrix.determined = matrix.determined && holds;
+      for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
+        const JointOrdinal joint = plan.outputs[output];
+        matrix.entries[output][input] = entryOf(std::move(rates[joint]), joint, plan.inputs[input]);
+      }
+    }
+    return true;
+  });
+  return done ? std::optional(std::move(matrix)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TtDetermination> ttDetermination(const TtGraph& graph, const SubstitutionPlan& plan,
@@ -75,23 +154,17 @@ std::optional<std::vector<ModularDouble>> ttRates(const ModularDoubleField& fiel
 
 std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph, const SubstitutionPlan& plan,
                                                const std::stop_token& stop) {
-  auto matrix = shapeOf<Rational>(plan);
-  std::vector<Rational> unit(plan.inputs.size());
-  const bool done = withSystem(RationalField(), graph, plan, stop, [&](const auto& system) {
-    matrix.determined = system.openJoints().empty();
-    for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
-      if (stop.stop_requested()) return false;
-      unit[input] = 1;
-      auto [rates, holds] = system.solve(unit);
-      unit[input] = 0;
-      matrix.determined = matrix.determined && holds;
-      for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
-        matrix.entries[output][input] = std::move(rates[plan.outputs[output]]);
-      }
-    }
-    return true;
-  });
-  return done ? std::optional(std::move(matrix)) : std::nullopt;
+  return matrixOf<Rational>(graph, plan, stop,
+                            [](Rational rate, JointOrdinal /*of*/, JointOrdinal /*input*/) { return rate; });
+}
+
+std::optional<RateMatrix<PiNumber>> ttPiSolution(const TtGraph& graph, const SubstitutionPlan& plan,
+                                                 const std::stop_token& stop) {
+  const ByJoint<int> powers = powersOfPi(graph);
+  return matrixOf<PiNumber>(graph, plan, stop,
+                            [&](const Rational& rate, JointOrdinal of, JointOrdinal input) {
+                              return PiNumber(rate, powers.empty() ? 0 : powers[of] - powers[input]);
+                            });
 }
 
 std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(const RatioRingPtr& ring,

@@ -7,6 +7,7 @@
 
 #include "core/foundations/exact/expansion.h"
 #include "core/foundations/exact/fields.h"
+#include "core/foundations/exact/pi_number.h"
 #include "core/theory/ttgraph/substitution.h"
 
 namespace geargraph {
@@ -41,7 +42,7 @@ struct TtDetermination {
 
 /// The rates of all joints, by joint, for these rates of the plan's inputs. Exact; std::nullopt if `stop` was
 /// requested.
-/// @pre the inputs are valid
+/// @pre the inputs are valid, and no terminal equation has a power of pi
 [[nodiscard]] std::optional<std::vector<Rational>> ttRates(const TtGraph& graph, const SubstitutionPlan& plan,
                                                            std::span<const Rational> inputRates,
                                                            const std::stop_token& stop = {});
@@ -54,9 +55,14 @@ struct TtDetermination {
 
 /// The whole matrix, exact; `determined` is false if the inputs are not valid. std::nullopt if `stop` was
 /// requested. Cost: that of ttRates() for each input.
+/// @pre no terminal equation has a power of pi
 [[nodiscard]] std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph,
                                                              const SubstitutionPlan& plan,
                                                              const std::stop_token& stop = {});
+/// The same with powers of pi, which are found along the circuits.
+[[nodiscard]] std::optional<RateMatrix<PiNumber>> ttPiSolution(const TtGraph& graph,
+                                                               const SubstitutionPlan& plan,
+                                                               const std::stop_token& stop = {});
 
 /// The whole matrix as functions of the gear ratios; an entry is none if it, or the coupled equations that
 /// give it, exceeded the budget; all are none if the plan is by levels. std::nullopt if `stop` was requested.

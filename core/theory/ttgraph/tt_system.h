@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/foundations/exact/elimination.h"
+#include "core/foundations/exact/fields.h"
 #include "core/theory/ttgraph/substitution.h"
 
 namespace geargraph {
@@ -184,7 +185,8 @@ struct TeethWeights {
   const Field* field;
   [[nodiscard]] std::pair<typename Field::Value, typename Field::Value> operator()(
       const TerminalPair& pair) const {
-    return {field->fromInteger(pair.tailTeeth), field->fromInteger(-pair.sign * pair.headTeeth)};
+    return {field->fromInteger(pair.tailTeeth),
+            weightIn(*field, -static_cast<std::int64_t>(pair.sign) * pair.headTeeth, pair.pi)};
   }
 };
 
