@@ -49,7 +49,7 @@ inline const std::string kEverything = R"({
   "turningJoints": [
     {"id": 4, "tail": 0, "head": "sun", "axis": "a", "offset": -1.50},
     {"id": 5, "tail": 0, "head": "arm", "axis": "a", "limits": [-170.0, null]},
-    {"id": 6, "tail": "arm", "head": "planet", "axis": "p"}],
+    {"id": 6, "tail": "arm", "head": "planet", "axis": "p", "kind": "sliding"}],
   "gearMeshes": [
     {"id": 7, "tail": "sun", "head": "planet", "tailTeeth": 20, "headTeeth": 31, "kind": "external",
      "pitchPoint": [1, 2, 3], "faceWidth": "3/8", "tailWheel": "w", "pinned": true, "efficiency": "49/50",
@@ -57,7 +57,8 @@ inline const std::string kEverything = R"({
     {"id": 8, "tail": "sun", "head": "planet", "tailTeeth": 20, "headTeeth": 31, "kind": "belt", "crossed": true,
      "pitch": 5.0},
     {"id": 9, "tail": "sun", "head": "planet", "kind": "belt", "tailDiameter": 28.50, "headDiameter": "100/3"},
-    {"id": 10, "tail": "sun", "head": "planet", "kind": "pins"}],
+    {"id": 10, "tail": "sun", "head": "planet", "kind": "pins"},
+    {"id": 11, "tail": "sun", "head": "planet", "kind": "screw", "lead": 2.50}],
   "wheels": [{"id": "w", "link": "sun", "profileShift": 0.1, "bore": 8, "backlash": 0.04}],
   "gearDefaults": {"pressureAngle": 20, "backlash": 0.05, "faceWidth": 10, "friction": 0.06},
   "inputs": [{"joint": 4, "speed": "1/3"}],

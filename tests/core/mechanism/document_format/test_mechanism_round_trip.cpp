@@ -51,7 +51,9 @@ void MechanismRoundTripTest::everyMemberIsRead() {
   QCOMPARE(m.turningJoints[1].limits.low->text(), std::string("-170.0"));
   QVERIFY(!m.turningJoints[1].limits.high);
   QVERIFY(m.turningJoints[1].tail == LinkId("0") && m.turningJoints[1].head == LinkId("arm"));
-  QVERIFY(m.turningJoints[2].axis == AxisId("p"));
+  QVERIFY(m.turningJoints[2].axis == AxisId("p") && slides(m.turningJoints[2]) &&
+          !slides(m.turningJoints[0]));
+  QCOMPARE(m.gearMeshes[4].lead->text(), std::string("2.50"));
   const GearMesh& mesh = m.gearMeshes[0];
   QVERIFY(mesh.tailTeeth == 20 && mesh.headTeeth == 31 && mesh.kind == MeshKind::external);
   QVERIFY(mesh.tailWheel == WheelId("w") && !mesh.headWheel && mesh.faceWidth->exact() == Rational(3, 8));
@@ -111,6 +113,7 @@ void MechanismRoundTripTest::theVersionIsTheOldestThatIsNeeded() {
   Mechanism mechanism = readText(kEverything);
   QCOMPARE(fileVersionOf(mechanism), 2);
   mechanism.gearMeshes.resize(1);
+  mechanism.turningJoints[2].kind = JointKind::turning;
   mechanism.couplings.pop_back();
   mechanism.states.front().direction.reset();
   GearMesh& mesh = mechanism.gearMeshes.front();
