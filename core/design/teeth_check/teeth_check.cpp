@@ -175,6 +175,8 @@ class TeethChecker {
         for (MeshOrdinal mesh = 0; mesh < m_mechanism.c(); ++mesh) {
           placement.meshes[mesh]->tailTeeth = teeth[static_cast<std::size_t>(wheelAt(2 * mesh))];
           placement.meshes[mesh]->headTeeth = teeth[static_cast<std::size_t>(wheelAt(2 * mesh + 1))];
+          placement.meshes[mesh]->weights = {placement.meshes[mesh]->tailTeeth,
+                                             placement.meshes[mesh]->headTeeth};
         }
         const auto model = KinematicModel::of(placement.tree->graph, placement.tree->tree, placement);
         const auto solved = solveState(train, *model, placement, static_cast<int>(i), false);

@@ -460,6 +460,7 @@ std::optional<Rational> solvedRatio(const TeethProblem& problem, std::size_t rat
     };
     placement.meshes[mesh]->tailTeeth = at(2 * mesh);
     placement.meshes[mesh]->headTeeth = at(2 * mesh + 1);
+    placement.meshes[mesh]->weights = {at(2 * mesh), at(2 * mesh + 1)};
   }
   const auto model = KinematicModel::of(placement.tree->graph, placement.tree->tree, placement);
   return solveState(problem.train, *model, placement, static_cast<int>(ratio), false)->ratio;

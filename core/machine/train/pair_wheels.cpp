@@ -11,7 +11,7 @@ constexpr PairWheels kTwoCones{GearKind::bevel, GearKind::bevel};
 constexpr PairWheels kTwoPulleys{GearKind::pulley, GearKind::pulley};
 constexpr PairWheels kWormAndWheel{GearKind::worm, GearKind::wormWheel};
 static_assert(kMaxStarts == kMaxWormStarts);
-/// Of pins, and of racks and screws, of which no solids are made.
+/// Pins have none, and no solids are made of racks and screws.
 constexpr PairWheels kNoWheels{.smaller = GearKind::pulley, .larger = GearKind::pulley, .none = true};
 
 }  // namespace
