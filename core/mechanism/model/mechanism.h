@@ -146,7 +146,7 @@ struct MeshWeights {
   int pi = 0;
   friend bool operator==(const MeshWeights&, const MeshWeights&) = default;
 };
-/// Of gears their teeth. Of a rack z m / 2 : 1 or, by its pitch, z p / (2 pi) : 1, of a screw lead / (2 pi) :
+/// Gears have their teeth, a rack has z m / 2 : 1 or, by its pitch, z p / (2 pi) : 1, a screw lead / (2 pi) :
 /// 1, the turning side first; `tailSlides` says which that is not. std::nullopt where a rack has neither
 /// module nor pitch, a screw no lead, or the numbers are beyond kMaxTeeth.
 [[nodiscard]] std::optional<MeshWeights> weightsOf(const GearMesh& mesh, bool tailSlides);

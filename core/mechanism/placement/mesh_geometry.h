@@ -37,8 +37,8 @@ struct MeshGeometry {
   /// direction). Where the wheels do not touch: the direction of the strand, or of the push of a pin, through
   /// the pitch point (strand.h).
   Vector3 normal{};
-  double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A.
-                          ///< Of a side that slides: e_c . u_A
+  double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A;
+                          ///< e_c . u_A where that side slides
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
   /// Helix angles at the reference cylinders, rad, positive for right-hand helices; 0: straight teeth. No
   /// radius, sign or coefficient of parallel axes depends on them. On skew axes they make e_c, the tooth
