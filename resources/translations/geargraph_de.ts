@@ -18721,10 +18721,6 @@ Radpaare / Steg: %3</translation>
         <translation>Der Eingriffswinkel eines Zahneingriffs ist größer als 0 und kleiner als 90 Grad.</translation>
     </message>
     <message>
-        <source>it has a helix angle or herringbone teeth, but its axes meet: bevel teeth are straight here. What fits: none.</source>
-        <translation>er hat einen Schrägungswinkel oder Pfeilzähne, aber seine Achsen schneiden sich: Kegelradzähne sind hier gerade. Passend: keiner.</translation>
-    </message>
-    <message>
         <source>its module %1 makes a centre distance of %2, and the axes are %3 apart: profile shifts make up for two modules at most. What fits: the module %4.</source>
         <translation>sein Modul %1 ergibt einen Achsabstand von %2, und die Achsen sind %3 voneinander entfernt: Profilverschiebungen gleichen höchstens zwei Module aus. Passend: der Modul %4.</translation>
     </message>
@@ -20351,6 +20347,154 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>sign of gears on axes that cross</source>
         <translation>Vorzeichen von Rädern auf Achsen, die sich kreuzen</translation>
+    </message>
+    <message>
+        <source>A face gear has more teeth than its pinion.</source>
+        <translation>Ein Kronrad hat mehr Zähne als sein Ritzel.</translation>
+    </message>
+    <message>
+        <source>Face gear drive</source>
+        <translation>Kronradgetriebe</translation>
+    </message>
+    <message>
+        <source>face gear</source>
+        <translation>Kronrad</translation>
+    </message>
+    <message>
+        <source>The gear of an axle has more teeth than its pinion.</source>
+        <translation>Das Tellerrad einer Achse hat mehr Zähne als ihr Ritzel.</translation>
+    </message>
+    <message>
+        <source>Hypoid axle</source>
+        <translation>Hypoidachse</translation>
+    </message>
+    <message>
+        <source>axle gear</source>
+        <translation>Tellerrad</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) is drawn as its pitch cone: the teeth of hypoid gears are not made here. Motion, torques and forces are those of the teeth.</source>
+        <translation>Zahnrad %1 (%2 Zähne) ist als sein Wälzkegel gezeichnet: die Zähne von Hypoidrädern werden hier nicht erzeugt. Bewegung, Momente und Kräfte sind die der Zähne.</translation>
+    </message>
+    <message>
+        <source>Make %1 a face gear</source>
+        <translation>%1 zum Kronradpaar machen</translation>
+    </message>
+    <message>
+        <source>hypoid</source>
+        <translation>Hypoid</translation>
+    </message>
+    <message>
+        <source>Make %1 hypoid</source>
+        <translation>%1 zum Hypoidpaar machen</translation>
+    </message>
+    <message>
+        <source>The teeth of a face gear are straight, and those of a hypoid pair follow from its pitch point; mesh &quot;%1&quot; says otherwise: leave it out.</source>
+        <translation>Die Zähne eines Kronrads sind gerade, und die eines Hypoidpaars folgen aus seinem Wälzpunkt; der Zahneingriff „%1“ sagt etwas anderes: lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>it has herringbone teeth, but its axes meet. What fits: a helix angle alone, or none.</source>
+        <translation>er hat Pfeilzähne, aber seine Achsen schneiden sich. Es passt: ein Schrägungswinkel allein, oder keiner.</translation>
+    </message>
+    <message>
+        <source>it has a helix angle, but the pinion of a face gear has straight teeth here. What fits: none.</source>
+        <translation>er hat einen Schrägungswinkel, aber das Ritzel eines Kronrads hat hier gerade Zähne. Es passt: keiner.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes meet at %2 degrees. What fits: bevel, or axes that meet at 90 degrees.</source>
+        <translation>er ist als %1 angegeben, aber seine Achsen schneiden sich unter %2 Grad. Es passt: Kegelräder, oder Achsen, die sich unter 90 Grad schneiden.</translation>
+    </message>
+    <message>
+        <source>a face gear has more teeth than its pinion; both have %1. What fits: other numbers, or bevel.</source>
+        <translation>ein Kronrad hat mehr Zähne als sein Ritzel; beide haben %1. Es passt: andere Zahlen, oder Kegelräder.</translation>
+    </message>
+    <message>
+        <source>The spiral teeth of gear %1 have no exact faces here; STL and GLB have them.</source>
+        <translation>Die Spiralzähne von Zahnrad %1 haben hier keine exakten Flächen; STL und GLB haben sie.</translation>
+    </message>
+    <message>
+        <source>The teeth of face gear %1 have no exact faces here; STL and GLB have them.</source>
+        <translation>Die Zähne des Kronrads %1 haben hier keine exakten Flächen; STL und GLB haben sie.</translation>
+    </message>
+    <message>
+        <source>Spiral teeth and face gears are not printed: gear %1.</source>
+        <translation>Spiralzähne und Kronräder werden nicht gedruckt: Zahnrad %1.</translation>
+    </message>
+    <message>
+        <source>The sign of face gear mesh %1 follows from where its pitch point is, seen from both axes.</source>
+        <translation>Das Vorzeichen des Kronradeingriffs %1 folgt daraus, wo sein Wälzpunkt von beiden Achsen aus gesehen liegt.</translation>
+    </message>
+    <message>
+        <source>The sign of face gear mesh %1 follows from its pitch point, seen from both axes.</source>
+        <translation>Das Vorzeichen des Kronradeingriffs %1 folgt aus seinem Wälzpunkt, von beiden Achsen aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, they turn the same way, so that f is %2.</source>
+        <translation>Zahneingriff %1 ist ein Kronrad mit seinem Ritzel: vom Steg aus gesehen, jedes längs seiner eigenen Achse, drehen sie gleichsinnig, also ist f gleich %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, they turn against each other, so that f is %2.</source>
+        <translation>Zahneingriff %1 ist ein Kronrad mit seinem Ritzel: vom Steg aus gesehen, jedes längs seiner eigenen Achse, drehen sie gegensinnig, also ist f gleich %2.</translation>
+    </message>
+    <message>
+        <source>The sign of hypoid mesh %1 follows from the half axes beside which its pitch point is, as if the axes met.</source>
+        <translation>Das Vorzeichen des Hypoideingriffs %1 folgt aus den Halbachsen, neben denen sein Wälzpunkt liegt, als schnitten sich die Achsen.</translation>
+    </message>
+    <message>
+        <source>The sign of hypoid mesh %1 follows from the half axes beside its pitch point.</source>
+        <translation>Das Vorzeichen des Hypoideingriffs %1 folgt aus den Halbachsen neben seinem Wälzpunkt.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn the same way, so that f is %2.</source>
+        <translation>Zahneingriff %1 ist ein Hypoideingriff: vom Steg aus gesehen, jedes längs seiner eigenen Achse, drehen seine Räder gleichsinnig, also ist f gleich %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn against each other, so that f is %2.</source>
+        <translation>Zahneingriff %1 ist ein Hypoideingriff: vom Steg aus gesehen, jedes längs seiner eigenen Achse, drehen seine Räder gegensinnig, also ist f gleich %2.</translation>
+    </message>
+    <message>
+        <source>Axes that meet at right angles. The gear with fewer teeth is the pinion.</source>
+        <translation>Achsen, die sich rechtwinklig schneiden. Das Rad mit weniger Zähnen ist das Ritzel.</translation>
+    </message>
+    <message>
+        <source>Axes that cross at right angles without meeting, or at any angle with a pitch point.</source>
+        <translation>Achsen, die sich rechtwinklig kreuzen, ohne sich zu schneiden, oder unter beliebigem Winkel mit einem Wälzpunkt.</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Ritzel</translation>
+    </message>
+    <message>
+        <source>Face gear</source>
+        <translation>Kronrad</translation>
+    </message>
+    <message>
+        <source>Axle gear</source>
+        <translation>Tellerrad</translation>
+    </message>
+    <message>
+        <source>Spiral angle</source>
+        <translation>Spiralwinkel</translation>
+    </message>
+    <message>
+        <source>The face of %1 is wider than the teeth of a face gear are, or leaves none: make it at most %2.</source>
+        <translation>Die Breite von %1 ist größer, als die Zähne eines Kronrads sind, oder lässt keine: höchstens %2.</translation>
+    </message>
+    <message>
+        <source>it says hypoid, but its axes cross at %1 degrees. What fits: axes that cross at 90 degrees, or a pitch point of its own.</source>
+        <translation>er ist als Hypoid angegeben, aber seine Achsen kreuzen sich unter %1 Grad. Es passt: Achsen, die sich unter 90 Grad kreuzen, oder ein eigener Wälzpunkt.</translation>
+    </message>
+    <message>
+        <source>its axes are %1 apart, too far for a gear of %2 teeth and module %3. What fits: a module of at least %4, or axes nearer to each other.</source>
+        <translation>seine Achsen haben den Abstand %1, zu viel für ein Rad mit %2 Zähnen und Modul %3. Es passt: ein Modul von mindestens %4, oder ein kleinerer Achsabstand.</translation>
+    </message>
+    <message>
+        <source>its pitch point leaves one gear no cone: it lies on an axis, or beside the common perpendicular of both. What fits: a point farther out along both axes, or none (then it follows from the axes).</source>
+        <translation>sein Wälzpunkt lässt einem Rad keinen Kegel: er liegt auf einer Achse oder neben dem gemeinsamen Lot beider. Es passt: ein Punkt weiter außen längs beider Achsen, oder keiner (dann folgt er aus den Achsen).</translation>
+    </message>
+    <message>
+        <source>its pitch point asks for a spiral angle of %1 degrees, and at 90 teeth run round their axis. What fits: a point whose distances from the axes are nearer to the ratio of the teeth, or none.</source>
+        <translation>sein Wälzpunkt verlangt einen Spiralwinkel von %1 Grad, und bei 90 laufen Zähne um ihre Achse herum. Es passt: ein Punkt, dessen Abstände von den Achsen dem Verhältnis der Zähne näher sind, oder keiner.</translation>
     </message>
     <message>
         <source>%1 joints, of which %2 slide</source>

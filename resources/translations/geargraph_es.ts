@@ -18721,10 +18721,6 @@ pares / portasatélites: %3</translation>
         <translation>El ángulo de presión de un engrane es mayor que 0 y menor que 90 grados.</translation>
     </message>
     <message>
-        <source>it has a helix angle or herringbone teeth, but its axes meet: bevel teeth are straight here. What fits: none.</source>
-        <translation>tiene un ángulo de hélice o dientes en espiga, pero sus ejes se cortan: los dientes cónicos son rectos aquí. Lo que encaja: ninguno.</translation>
-    </message>
-    <message>
         <source>its module %1 makes a centre distance of %2, and the axes are %3 apart: profile shifts make up for two modules at most. What fits: the module %4.</source>
         <translation>su módulo %1 da una distancia entre centros de %2, y los ejes están a %3: los desplazamientos de perfil compensan dos módulos como mucho. Lo que encaja: el módulo %4.</translation>
     </message>
@@ -20351,6 +20347,154 @@ pares / portasatélites: %3</translation>
     <message>
         <source>sign of gears on axes that cross</source>
         <translation>signo de ruedas en ejes que se cruzan</translation>
+    </message>
+    <message>
+        <source>A face gear has more teeth than its pinion.</source>
+        <translation>Una corona frontal tiene más dientes que su piñón.</translation>
+    </message>
+    <message>
+        <source>Face gear drive</source>
+        <translation>Engranaje de corona frontal</translation>
+    </message>
+    <message>
+        <source>face gear</source>
+        <translation>corona frontal</translation>
+    </message>
+    <message>
+        <source>The gear of an axle has more teeth than its pinion.</source>
+        <translation>La corona de un eje tiene más dientes que su piñón.</translation>
+    </message>
+    <message>
+        <source>Hypoid axle</source>
+        <translation>Eje hipoide</translation>
+    </message>
+    <message>
+        <source>axle gear</source>
+        <translation>corona del eje</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) is drawn as its pitch cone: the teeth of hypoid gears are not made here. Motion, torques and forces are those of the teeth.</source>
+        <translation>La rueda %1 (%2 dientes) se dibuja como su cono primitivo: los dientes de las ruedas hipoides no se generan aquí. El movimiento, los pares y las fuerzas son los de los dientes.</translation>
+    </message>
+    <message>
+        <source>Make %1 a face gear</source>
+        <translation>Hacer %1 una corona frontal</translation>
+    </message>
+    <message>
+        <source>hypoid</source>
+        <translation>hipoide</translation>
+    </message>
+    <message>
+        <source>Make %1 hypoid</source>
+        <translation>Hacer %1 hipoide</translation>
+    </message>
+    <message>
+        <source>The teeth of a face gear are straight, and those of a hypoid pair follow from its pitch point; mesh &quot;%1&quot; says otherwise: leave it out.</source>
+        <translation>Los dientes de una corona frontal son rectos, y los de un par hipoide se deducen de su punto primitivo; el engrane «%1» dice otra cosa: omítalo.</translation>
+    </message>
+    <message>
+        <source>it has herringbone teeth, but its axes meet. What fits: a helix angle alone, or none.</source>
+        <translation>tiene dientes de espina de pescado, pero sus ejes se cortan. Lo que encaja: solo un ángulo de hélice, o ninguno.</translation>
+    </message>
+    <message>
+        <source>it has a helix angle, but the pinion of a face gear has straight teeth here. What fits: none.</source>
+        <translation>tiene un ángulo de hélice, pero el piñón de una corona frontal tiene aquí dientes rectos. Lo que encaja: ninguno.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes meet at %2 degrees. What fits: bevel, or axes that meet at 90 degrees.</source>
+        <translation>dice %1, pero sus ejes se cortan a %2 grados. Lo que encaja: cónico, o ejes que se cortan a 90 grados.</translation>
+    </message>
+    <message>
+        <source>a face gear has more teeth than its pinion; both have %1. What fits: other numbers, or bevel.</source>
+        <translation>una corona frontal tiene más dientes que su piñón; ambos tienen %1. Lo que encaja: otros números, o cónico.</translation>
+    </message>
+    <message>
+        <source>The spiral teeth of gear %1 have no exact faces here; STL and GLB have them.</source>
+        <translation>Los dientes en espiral de la rueda %1 no tienen aquí caras exactas; STL y GLB las tienen.</translation>
+    </message>
+    <message>
+        <source>The teeth of face gear %1 have no exact faces here; STL and GLB have them.</source>
+        <translation>Los dientes de la corona frontal %1 no tienen aquí caras exactas; STL y GLB las tienen.</translation>
+    </message>
+    <message>
+        <source>Spiral teeth and face gears are not printed: gear %1.</source>
+        <translation>Los dientes en espiral y las coronas frontales no se imprimen: rueda %1.</translation>
+    </message>
+    <message>
+        <source>The sign of face gear mesh %1 follows from where its pitch point is, seen from both axes.</source>
+        <translation>El signo del engrane de corona frontal %1 se deduce de dónde está su punto primitivo, visto desde ambos ejes.</translation>
+    </message>
+    <message>
+        <source>The sign of face gear mesh %1 follows from its pitch point, seen from both axes.</source>
+        <translation>El signo del engrane de corona frontal %1 se deduce de su punto primitivo, visto desde ambos ejes.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, they turn the same way, so that f is %2.</source>
+        <translation>El engrane %1 es una corona frontal con su piñón: vistos desde el portasatélites, cada uno a lo largo de su eje, giran en el mismo sentido, de modo que f es %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, they turn against each other, so that f is %2.</source>
+        <translation>El engrane %1 es una corona frontal con su piñón: vistos desde el portasatélites, cada uno a lo largo de su eje, giran en sentidos opuestos, de modo que f es %2.</translation>
+    </message>
+    <message>
+        <source>The sign of hypoid mesh %1 follows from the half axes beside which its pitch point is, as if the axes met.</source>
+        <translation>El signo del engrane hipoide %1 se deduce de los semiejes junto a los que está su punto primitivo, como si los ejes se cortaran.</translation>
+    </message>
+    <message>
+        <source>The sign of hypoid mesh %1 follows from the half axes beside its pitch point.</source>
+        <translation>El signo del engrane hipoide %1 se deduce de los semiejes junto a su punto primitivo.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn the same way, so that f is %2.</source>
+        <translation>El engrane %1 es hipoide: vistas desde el portasatélites, cada una a lo largo de su eje, sus ruedas giran en el mismo sentido, de modo que f es %2.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn against each other, so that f is %2.</source>
+        <translation>El engrane %1 es hipoide: vistas desde el portasatélites, cada una a lo largo de su eje, sus ruedas giran en sentidos opuestos, de modo que f es %2.</translation>
+    </message>
+    <message>
+        <source>Axes that meet at right angles. The gear with fewer teeth is the pinion.</source>
+        <translation>Ejes que se cortan en ángulo recto. La rueda con menos dientes es el piñón.</translation>
+    </message>
+    <message>
+        <source>Axes that cross at right angles without meeting, or at any angle with a pitch point.</source>
+        <translation>Ejes que se cruzan en ángulo recto sin cortarse, o con cualquier ángulo si hay punto primitivo.</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Piñón</translation>
+    </message>
+    <message>
+        <source>Face gear</source>
+        <translation>Corona frontal</translation>
+    </message>
+    <message>
+        <source>Axle gear</source>
+        <translation>Corona del eje</translation>
+    </message>
+    <message>
+        <source>Spiral angle</source>
+        <translation>Ángulo de espiral</translation>
+    </message>
+    <message>
+        <source>The face of %1 is wider than the teeth of a face gear are, or leaves none: make it at most %2.</source>
+        <translation>El ancho de %1 es mayor que el de los dientes de una corona frontal, o no deja ninguno: como máximo %2.</translation>
+    </message>
+    <message>
+        <source>it says hypoid, but its axes cross at %1 degrees. What fits: axes that cross at 90 degrees, or a pitch point of its own.</source>
+        <translation>dice hipoide, pero sus ejes se cruzan a %1 grados. Lo que encaja: ejes que se cruzan a 90 grados, o un punto primitivo propio.</translation>
+    </message>
+    <message>
+        <source>its axes are %1 apart, too far for a gear of %2 teeth and module %3. What fits: a module of at least %4, or axes nearer to each other.</source>
+        <translation>sus ejes distan %1, demasiado para una rueda de %2 dientes y módulo %3. Lo que encaja: un módulo de al menos %4, o ejes más próximos.</translation>
+    </message>
+    <message>
+        <source>its pitch point leaves one gear no cone: it lies on an axis, or beside the common perpendicular of both. What fits: a point farther out along both axes, or none (then it follows from the axes).</source>
+        <translation>su punto primitivo no deja cono a una rueda: está en un eje, o junto a la perpendicular común de ambos. Lo que encaja: un punto más alejado a lo largo de ambos ejes, o ninguno (entonces se deduce de los ejes).</translation>
+    </message>
+    <message>
+        <source>its pitch point asks for a spiral angle of %1 degrees, and at 90 teeth run round their axis. What fits: a point whose distances from the axes are nearer to the ratio of the teeth, or none.</source>
+        <translation>su punto primitivo pide un ángulo de espiral de %1 grados, y a 90 los dientes rodean su eje. Lo que encaja: un punto cuyas distancias a los ejes se acerquen más a la relación de dientes, o ninguno.</translation>
     </message>
     <message>
         <source>%1 joints, of which %2 slide</source>

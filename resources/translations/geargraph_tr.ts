@@ -18719,10 +18719,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>Bir diş kavramasının kavrama açısı 0&apos;dan büyük ve 90 dereceden küçüktür.</translation>
     </message>
     <message>
-        <source>it has a helix angle or herringbone teeth, but its axes meet: bevel teeth are straight here. What fits: none.</source>
-        <translation>helis açısı ya da çavuş dişleri var, ama eksenleri kesişiyor: konik dişler burada düzdür. Uygun olan: hiçbiri.</translation>
-    </message>
-    <message>
         <source>its module %1 makes a centre distance of %2, and the axes are %3 apart: profile shifts make up for two modules at most. What fits: the module %4.</source>
         <translation>modülü %1, eksenler arası uzaklığı %2 yapar, eksenler ise %3 aralıklıdır: profil kaydırmaları en çok iki modülü giderir. Uygun olan: %4 modülü.</translation>
     </message>
@@ -20349,6 +20345,154 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>sign of gears on axes that cross</source>
         <translation>çapraz eksenlerdeki dişlilerin işareti</translation>
+    </message>
+    <message>
+        <source>A face gear has more teeth than its pinion.</source>
+        <translation>Alın dişlinin pinyonundan daha çok dişi vardır.</translation>
+    </message>
+    <message>
+        <source>Face gear drive</source>
+        <translation>Alın dişli tahriki</translation>
+    </message>
+    <message>
+        <source>face gear</source>
+        <translation>alın dişli</translation>
+    </message>
+    <message>
+        <source>The gear of an axle has more teeth than its pinion.</source>
+        <translation>Aksın aynasının pinyonundan daha çok dişi vardır.</translation>
+    </message>
+    <message>
+        <source>Hypoid axle</source>
+        <translation>Hipoid aks</translation>
+    </message>
+    <message>
+        <source>axle gear</source>
+        <translation>ayna dişli</translation>
+    </message>
+    <message>
+        <source>Gear %1 (%2 teeth) is drawn as its pitch cone: the teeth of hypoid gears are not made here. Motion, torques and forces are those of the teeth.</source>
+        <translation>%1 dişlisi (%2 diş) hatve konisi olarak çizilir: hipoid dişlilerin dişleri burada üretilmez. Hareket, momentler ve kuvvetler dişlerinkidir.</translation>
+    </message>
+    <message>
+        <source>Make %1 a face gear</source>
+        <translation>%1 alın dişli yap</translation>
+    </message>
+    <message>
+        <source>hypoid</source>
+        <translation>hipoid</translation>
+    </message>
+    <message>
+        <source>Make %1 hypoid</source>
+        <translation>%1 hipoid yap</translation>
+    </message>
+    <message>
+        <source>The teeth of a face gear are straight, and those of a hypoid pair follow from its pitch point; mesh &quot;%1&quot; says otherwise: leave it out.</source>
+        <translation>Alın dişlinin dişleri düzdür, hipoid çiftinkiler hatve noktasından çıkar; &quot;%1&quot; çifti başka söylüyor: bunu çıkarın.</translation>
+    </message>
+    <message>
+        <source>it has herringbone teeth, but its axes meet. What fits: a helix angle alone, or none.</source>
+        <translation>ok dişleri var, ama eksenleri kesişiyor. Uyan: yalnız bir helis açısı ya da hiçbiri.</translation>
+    </message>
+    <message>
+        <source>it has a helix angle, but the pinion of a face gear has straight teeth here. What fits: none.</source>
+        <translation>helis açısı var, ama alın dişlinin pinyonu burada düz dişlidir. Uyan: hiçbiri.</translation>
+    </message>
+    <message>
+        <source>it says %1, but its axes meet at %2 degrees. What fits: bevel, or axes that meet at 90 degrees.</source>
+        <translation>%1 diyor, ama eksenleri %2 derecede kesişiyor. Uyan: konik, ya da 90 derecede kesişen eksenler.</translation>
+    </message>
+    <message>
+        <source>a face gear has more teeth than its pinion; both have %1. What fits: other numbers, or bevel.</source>
+        <translation>alın dişlinin pinyonundan daha çok dişi vardır; ikisinde de %1 var. Uyan: başka sayılar, ya da konik.</translation>
+    </message>
+    <message>
+        <source>The spiral teeth of gear %1 have no exact faces here; STL and GLB have them.</source>
+        <translation>%1 dişlisinin spiral dişlerinin burada kesin yüzeyleri yoktur; STL ve GLB&apos;de vardır.</translation>
+    </message>
+    <message>
+        <source>The teeth of face gear %1 have no exact faces here; STL and GLB have them.</source>
+        <translation>%1 alın dişlisinin dişlerinin burada kesin yüzeyleri yoktur; STL ve GLB&apos;de vardır.</translation>
+    </message>
+    <message>
+        <source>Spiral teeth and face gears are not printed: gear %1.</source>
+        <translation>Spiral dişler ve alın dişliler basılmaz: %1 dişlisi.</translation>
+    </message>
+    <message>
+        <source>The sign of face gear mesh %1 follows from where its pitch point is, seen from both axes.</source>
+        <translation>%1 alın dişli çiftinin işareti, hatve noktasının iki eksenden bakınca nerede olduğundan çıkar.</translation>
+    </message>
+    <message>
+        <source>The sign of face gear mesh %1 follows from its pitch point, seen from both axes.</source>
+        <translation>%1 alın dişli çiftinin işareti, iki eksenden bakınca hatve noktasından çıkar.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, they turn the same way, so that f is %2.</source>
+        <translation>%1 çifti bir alın dişli ile pinyonudur: taşıyıcıdan, her biri kendi ekseni boyunca bakınca aynı yönde dönerler, bu yüzden f %2 olur.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, they turn against each other, so that f is %2.</source>
+        <translation>%1 çifti bir alın dişli ile pinyonudur: taşıyıcıdan, her biri kendi ekseni boyunca bakınca ters yönlerde dönerler, bu yüzden f %2 olur.</translation>
+    </message>
+    <message>
+        <source>The sign of hypoid mesh %1 follows from the half axes beside which its pitch point is, as if the axes met.</source>
+        <translation>%1 hipoid çiftinin işareti, eksenler kesişiyormuş gibi, hatve noktasının yanında olduğu yarı eksenlerden çıkar.</translation>
+    </message>
+    <message>
+        <source>The sign of hypoid mesh %1 follows from the half axes beside its pitch point.</source>
+        <translation>%1 hipoid çiftinin işareti, hatve noktasının yanındaki yarı eksenlerden çıkar.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn the same way, so that f is %2.</source>
+        <translation>%1 çifti hipoiddir: taşıyıcıdan, her biri kendi ekseni boyunca bakınca dişlileri aynı yönde döner, bu yüzden f %2 olur.</translation>
+    </message>
+    <message>
+        <source>Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn against each other, so that f is %2.</source>
+        <translation>%1 çifti hipoiddir: taşıyıcıdan, her biri kendi ekseni boyunca bakınca dişlileri ters yönlerde döner, bu yüzden f %2 olur.</translation>
+    </message>
+    <message>
+        <source>Axes that meet at right angles. The gear with fewer teeth is the pinion.</source>
+        <translation>Dik kesişen eksenler. Daha az dişli olan pinyondur.</translation>
+    </message>
+    <message>
+        <source>Axes that cross at right angles without meeting, or at any angle with a pitch point.</source>
+        <translation>Kesişmeden dik geçen eksenler, ya da hatve noktasıyla herhangi bir açıda.</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Pinyon</translation>
+    </message>
+    <message>
+        <source>Face gear</source>
+        <translation>Alın dişli</translation>
+    </message>
+    <message>
+        <source>Axle gear</source>
+        <translation>Ayna dişli</translation>
+    </message>
+    <message>
+        <source>Spiral angle</source>
+        <translation>Spiral açısı</translation>
+    </message>
+    <message>
+        <source>The face of %1 is wider than the teeth of a face gear are, or leaves none: make it at most %2.</source>
+        <translation>%1 genişliği alın dişlinin dişlerinden büyük ya da diş bırakmıyor: en çok %2 yapın.</translation>
+    </message>
+    <message>
+        <source>it says hypoid, but its axes cross at %1 degrees. What fits: axes that cross at 90 degrees, or a pitch point of its own.</source>
+        <translation>hipoid diyor, ama eksenleri %1 derecede geçiyor. Uyan: 90 derecede geçen eksenler, ya da kendi hatve noktası.</translation>
+    </message>
+    <message>
+        <source>its axes are %1 apart, too far for a gear of %2 teeth and module %3. What fits: a module of at least %4, or axes nearer to each other.</source>
+        <translation>eksenleri %1 uzakta, %2 dişli ve %3 modüllü bir dişli için fazla. Uyan: en az %4 modül, ya da birbirine yakın eksenler.</translation>
+    </message>
+    <message>
+        <source>its pitch point leaves one gear no cone: it lies on an axis, or beside the common perpendicular of both. What fits: a point farther out along both axes, or none (then it follows from the axes).</source>
+        <translation>hatve noktası bir dişliye koni bırakmıyor: bir eksenin üzerinde ya da iki eksenin ortak dikmesinin yanında. Uyan: iki eksen boyunca daha dışarıda bir nokta, ya da hiçbiri (o zaman eksenlerden çıkar).</translation>
+    </message>
+    <message>
+        <source>its pitch point asks for a spiral angle of %1 degrees, and at 90 teeth run round their axis. What fits: a point whose distances from the axes are nearer to the ratio of the teeth, or none.</source>
+        <translation>hatve noktası %1 derecelik spiral açısı istiyor, 90&apos;da dişler ekseni dolanır. Uyan: eksenlere uzaklıkları diş oranına daha yakın bir nokta, ya da hiçbiri.</translation>
     </message>
     <message>
         <source>%1 joints, of which %2 slide</source>

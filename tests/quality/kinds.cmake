@@ -10,7 +10,7 @@ set(definitions core/mechanism/kinds/pair_kind.h core/mechanism/kinds/pair_kind.
   core/machine/train/pair_wheels.cpp)
 # Gears, sets of gears and trains that are made of certain kinds, and the counts that lessons ask for by name.
 set(makers core/design/atlas/chain_document.cpp core/design/gearboxes/gearbox_document.cpp core/design/gearboxes/hub_document.cpp core/design/synthesis/bevel_sets.cpp core/design/synthesis/drive_sets.cpp core/design/synthesis/planetary_set.cpp
-  core/design/synthesis/reverted_train.cpp core/design/synthesis/shifting_sets.cpp core/machine/teeth/worm.cpp core/teaching/derivation/comparison_families.cpp core/teaching/lessons/quantities.cpp)
+  core/design/synthesis/reverted_train.cpp core/design/synthesis/shifting_sets.cpp core/machine/teeth/face_gear.cpp core/machine/teeth/worm.cpp core/teaching/derivation/comparison_families.cpp core/teaching/lessons/quantities.cpp)
 set(listed "${SOURCE}/tests/core/examples/test_kinds.cpp")
 set(tested "")
 if(EXISTS "${listed}")

@@ -34,6 +34,14 @@ QString axesTip(MeshKind kind) {
                : QCoreApplication::translate("MeshForm",
                                              "One of its links turns, the other one slides along that axis.");
   }
+  if (pairKind(kind).hasFace) {
+    return QCoreApplication::translate(
+        "MeshForm", "Axes that meet at right angles. The gear with fewer teeth is the pinion.");
+  }
+  if (pairKind(kind).isOffset) {
+    return QCoreApplication::translate(
+        "MeshForm", "Axes that cross at right angles without meeting, or at any angle with a pitch point.");
+  }
   if (hasSkewAxes(kind)) {
     return pairKind(kind).isThreaded
                ? QCoreApplication::translate("MeshForm",

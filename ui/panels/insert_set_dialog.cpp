@@ -73,6 +73,18 @@ SetForm* wormForm() {
                        });
 }
 
+SetForm* faceForm() {
+  return new TeethForm(
+      {{InsertSetDialog::tr("Pinion"), "facePinion", 18}, {InsertSetDialog::tr("Face gear"), "faceGear", 40}},
+      [](const Counts& c) { return faceDrive(c[0], c[1]); });
+}
+
+SetForm* hypoidForm() {
+  return new TeethForm(
+      {{InsertSetDialog::tr("Pinion"), "axlePinion", 10}, {InsertSetDialog::tr("Axle gear"), "axleGear", 41}},
+      [](const Counts& c) { return hypoidAxle(c[0], c[1]); });
+}
+
 SetForm* beltForm() {
   return new TeethForm({{InsertSetDialog::tr("Driving pulley"), "drivingPulley", 20},
                         {InsertSetDialog::tr("Driven pulley"), "drivenPulley", 40}},
@@ -129,6 +141,8 @@ std::vector<InsertableSet> insertableSets() {
        [] {
          return wormStage({1, 40});
        }},
+      {"face", InsertSetDialog::tr("Face gear drive"), &faceForm, [] { return faceDrive(18, 40); }},
+      {"hypoid", InsertSetDialog::tr("Hypoid axle"), &hypoidForm, [] { return hypoidAxle(10, 41); }},
       {"belt", InsertSetDialog::tr("Belt drive"), &beltForm,
        [] {
          return beltStage({20, 40});

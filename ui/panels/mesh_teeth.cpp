@@ -131,19 +131,23 @@ void MeshForm::refreshHelix(const std::vector<const GearMesh*>& meshes) {
     return std::all_of(meshes.begin(), meshes.end(), [&](const GearMesh* mesh) { return has(*mesh); });
   };
   const auto kindOf = [](const GearMesh& mesh) -> const PairKind& { return pairKind(saidKind(mesh)); };
-  const bool isHelical = all([&](const GearMesh& mesh) {
-    return kindOf(mesh).touches && kindOf(mesh).axes != LinePosition::intersecting;
-  });
+  const bool isHelical =
+      all([&](const GearMesh& mesh) { return kindOf(mesh).touches && kindOf(mesh).statesHelix; });
   const bool isWorm = all([&](const GearMesh& mesh) { return kindOf(mesh).isThreaded; });
   const bool isParallel =
       all([&](const GearMesh& mesh) { return kindOf(mesh).axes == LinePosition::parallel; });
-  setRowShown(m_helixRow, isHelical, isWorm ? tr("Hand of the helix") : tr("Helix angle"));
+  const bool isBevel =
+      all([&](const GearMesh& mesh) { return kindOf(mesh).axes == LinePosition::intersecting; });
+  setRowShown(m_helixRow, isHelical,
+              isWorm    ? tr("Hand of the helix")
+              : isBevel ? tr("Spiral angle")
+                        : tr("Helix angle"));
   m_herringbone->setVisible(isParallel);
   m_helix->setVisible(!isWorm);
   m_crossed->setVisible(all([&](const GearMesh& mesh) { return kindOf(mesh).canCross; }));
   const QSignalBlocker quietHand(m_hand);
   const GearMesh& first = *meshes.front();
-  m_helix->setEmptyText(isParallel ? tr("straight") : tr("equal on both"));
+  m_helix->setEmptyText(isParallel || isBevel ? tr("straight") : tr("equal on both"));
   const bool isSameAngle = all([&](const GearMesh& mesh) { return mesh.helixAngle == first.helixAngle; });
   m_helix->setNumber(isSameAngle ? first.helixAngle : std::nullopt);
   const bool isSameHand = all([&](const GearMesh& mesh) { return mesh.hand == first.hand; });

@@ -324,16 +324,18 @@ class GearMesh(_Labelled):
 
     @property
     def helix_angle(self) -> Optional[Fraction]:
-        """Of the teeth of the first gear at its reference cylinder; not of a bevel pair or a worm.
-        The ratio does not depend on it (degrees)."""
+        """Of the teeth of the first gear at its reference cylinder; of a bevel pair the spiral
+        angle. Not of a worm, a face gear or a hypoid pair. The ratio does not depend on it
+        (degrees)."""
         value = self._data.get("helixAngle")
         return None if value is None else exact(value)
 
     @property
     def hand(self) -> Any:
         """Of the helix of the first gear. That of the second follows: the opposite one of an
-        external pair, the same of an internal one and of a worm, and of ``crossedHelical`` that
-        which the crossing angle leaves."""
+        external or bevel pair, the same of an internal one and of a worm, and of ``crossedHelical``
+        that which the crossing angle leaves. Right-hand bevel teeth turn clockwise outwards, seen
+        from the apex."""
         value = self._data.get("hand")
         return None if value is None else value
 
@@ -347,8 +349,10 @@ class GearMesh(_Labelled):
     @property
     def module(self) -> Optional[Fraction]:
         """The normal module; with the centre distance it fixes the sum of the profile shifts. Of a
-        bevel pair without ``pitchPoint``: at the large end; of a worm: in its axial section; of
-        a rack, which needs it or a ``pitch``: that of the rack along its motion."""
+        bevel pair or face gear without ``pitchPoint``: the transverse one at the large end, or at
+        the pitch point; of a worm: in its axial section; of a rack, which needs it or a ``pitch``:
+        that of the rack along its motion; of a hypoid pair without ``pitchPoint``: that of the
+        larger gear at its pitch point."""
         value = self._data.get("module")
         return None if value is None else exact(value)
 

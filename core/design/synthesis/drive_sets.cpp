@@ -47,6 +47,32 @@ Expected<Mechanism> wormStage(const WormStage& stage) {
   return std::move(set).build();
 }
 
+Expected<Mechanism> faceDrive(int pinionTeeth, int faceTeeth) {
+  if (pinionTeeth >= faceTeeth) {
+    return driveRejection(Detail::teethAgainstRadii,
+                          translated("A face gear has more teeth than its pinion."));
+  }
+  SetSketch set(translated("Face gear drive"));
+  const LinkOrdinal pinion = set.link(0, "a", translated("pinion"));
+  const LinkOrdinal face = set.link(0, "b", translated("face gear"));
+  set.mesh(pinion, face, pinionTeeth, faceTeeth, MeshKind::faceGear);
+  set.input(pinion, Number(1));
+  return std::move(set).build();
+}
+
+Expected<Mechanism> hypoidAxle(int pinionTeeth, int gearTeeth) {
+  if (pinionTeeth >= gearTeeth) {
+    return driveRejection(Detail::teethAgainstRadii,
+                          translated("The gear of an axle has more teeth than its pinion."));
+  }
+  SetSketch set(translated("Hypoid axle"));
+  const LinkOrdinal pinion = set.link(0, "a", translated("pinion"));
+  const LinkOrdinal gear = set.link(0, "b", translated("axle gear"));
+  set.mesh(pinion, gear, pinionTeeth, gearTeeth, MeshKind::hypoid);
+  set.input(pinion, Number(1));
+  return std::move(set).build();
+}
+
 Expected<Mechanism> beltStage(const BeltStage& stage) {
   if (stage.pitch.value() <= 0)
     return driveRejection(Detail::beltGeometry, translated("The pitch of a belt is above 0."));

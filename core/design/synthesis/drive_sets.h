@@ -20,6 +20,14 @@ struct WormStage {
 /// Worm 1 and wheel 2: -1 or +1 times starts to teeth, by the hand. Rejected: teeth-geometry/worm.
 [[nodiscard]] Expected<Mechanism> wormStage(const WormStage& stage);
 
+/// Pinion 1 and face gear 2 on axes that meet at right angles. Rejected: teeth-geometry/ratio, unless the
+/// face gear has more teeth.
+[[nodiscard]] Expected<Mechanism> faceDrive(int pinionTeeth, int faceTeeth);
+
+/// An axle: pinion 1 and gear 2 on axes that cross at right angles, at a distance of a fifth of the gear's
+/// pitch diameter. Rejected: teeth-geometry/ratio, unless the gear has more teeth.
+[[nodiscard]] Expected<Mechanism> hypoidAxle(int pinionTeeth, int gearTeeth);
+
 struct BeltStage {
   int driver = 20;
   int driven = 40;

@@ -48,6 +48,7 @@ constexpr std::array kCodes = {
     CodeEntry{Code::assembly, "assembly", Severity::warning},
     CodeEntry{Code::undercut, "undercut", Severity::warning},
     CodeEntry{Code::interference, "interference", Severity::warning},
+    CodeEntry{Code::standIn, "stand-in", Severity::info},
     CodeEntry{Code::symbolicSkipped, "symbolic-skipped", Severity::info},
     CodeEntry{Code::noLoad, "no-load", Severity::info},
     CodeEntry{Code::unitLoad, "unit-load", Severity::info},

@@ -46,6 +46,7 @@ enum class Code {
   assembly,
   undercut,
   interference,
+  standIn,
   symbolicSkipped,
   // of statics
   noLoad,

@@ -105,6 +105,61 @@ std::vector<OutlinePoint> coneFaces(const HalfTooth& tooth, const GearSpec& spec
   return outline;
 }
 
+/// Sections of spiral teeth: at equal turns, so near that no chord along the tips is off by more than
+/// `chord`. A point is turned by what its own distance from the apex asks, because each sphere about the apex
+/// has its own pair of conjugate profiles.
+std::vector<std::vector<WallPoint>> spiralSections(const std::vector<OutlinePoint>& half,
+                                                   const GearSpec& spec, double chord) {
+  if (spec.helixAngle == 0) return {};
+  const double large = coneDistance(spec), small = large - spec.faceWidth;
+  const double reach = std::max(nominalTipRadius(spec), nominalRootRadius(spec));
+  const double bend = 1 / reach + 1 / (large * std::sin(std::abs(spec.helixAngle)));
+  const double turn = std::abs(spiralOf(spec, small));
+  const int steps = std::max(1, static_cast<int>(std::ceil(turn * reach * std::sqrt(bend / (8 * chord)))));
+  std::vector<std::vector<WallPoint>> sections;
+  for (int i = 0; i <= steps; ++i) {
+    const double distance = small * std::pow(large / small, static_cast<double>(i) / steps);
+    const double part = (distance - small) / (large - small);
+    std::vector<WallPoint>& section = sections.emplace_back();
+    section.reserve(half.size());
+    for (const OutlinePoint& p : half) {
+      const Eigen::Vector3d at = i == steps ? p.top : Eigen::Vector3d(p.bottom + part * (p.top - p.bottom));
+      const double sphere = at.norm();
+      const double slope = std::tan(spec.helixAngle) / std::sin(spec.coneAngle) / (sphere * sphere);
+      section.push_back({at, p.wallNormal, spiralOf(spec, sphere), slope * at});
+    }
+  }
+  return sections;
+}
+
+/// The measures of a cone without teeth: its pitch cone.
+GearSpec smooth(GearSpec spec) {
+  spec.addendum = 0;
+  spec.dedendum = 0;
+  spec.profileShift = 0;
+  return spec;
+}
+
+std::vector<ProfileVertex> smoothConeBody(const GearSpec& spec) {
+  return coneBody(smooth(spec));
+}
+
+std::vector<ProfileVertex> smoothConeOutline(const GearSpec& spec) {
+  return coneOutline(smooth(spec));
+}
+
+AxialSpan smoothConeSpan(const GearSpec& spec) {
+  return coneSpan(smooth(spec));
+}
+
+double largestSmoothBore(const GearSpec& spec) {
+  return largestConeBore(smooth(spec));
+}
+
+Solid smoothCone(const GearSpec& spec, double chord) {
+  return revolved(smoothConeOutline(spec), chord);
+}
+
 Solid toothlessCone(const GearSpec& spec, double chord) {
   return revolved(coneOutline(spec), chord);
 }
@@ -128,9 +183,20 @@ constexpr WheelForm kConeForm{.body = coneBody,
                               .span = coneSpan,
                               .largestBore = largestConeBore,
                               .toothFaces = coneFaces,
+                              .sections = spiralSections,
                               .toothless = toothlessCone,
                               .check = checkCone,
                               .checkBody = checkBore,
                               .tooFewTeeth = tooFewForRack};
+
+constexpr WheelForm kSmoothConeForm{.body = smoothConeBody,
+                                    .windows = coneWindows,
+                                    .outline = smoothConeOutline,
+                                    .span = smoothConeSpan,
+                                    .largestBore = largestSmoothBore,
+                                    .toothless = smoothCone,
+                                    .check = checkCone,
+                                    .checkBody = checkBore,
+                                    .tooFewTeeth = tooFewForRack};
 
 }  // namespace geargraph

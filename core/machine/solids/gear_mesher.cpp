@@ -35,6 +35,22 @@ Seed twisted(const Seed& wall, const TwistLayer& layer) {
           turned(n.x(), n.y(), layer.slope * (p.y() * n.x() - p.x() * n.y())).normalized()};
 }
 
+/// A vector turned about the axis.
+Vector3d turned(const Vector3d& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
+}
+
+/// A point of a section, where turning differs from place to place: what moves on in the wall by d is turned
+/// by slope . d more, so that the normal gives way by that.
+Seed turnedSeed(const WallPoint& point, bool mirror) {
+  const auto seen = [&](const Vector3d& v) { return mirror ? mirrored(v) : v; };
+  const Vector3d position = seen(point.position), normal = seen(point.normal), slope = seen(point.slope);
+  const Vector3d across(-position.y(), position.x(), 0);
+  return {turned(position, point.turn),
+          turned((normal - across.dot(normal) * slope).normalized(), point.turn)};
+}
+
 /// The vertices and triangles of one tooth, which every tooth repeats turned. A wall loop of one tooth has
 /// `walls` vertices, a face loop `faces`; index `walls` (`faces`) of a tooth is index 0 of the next.
 class ToothPattern {
@@ -43,6 +59,7 @@ class ToothPattern {
     findUnique();
     seedWalls();
     if (!blank.layers.empty()) twistWalls();
+    if (!blank.sections.empty()) seedSections();
     seedFaces();
   }
 
@@ -54,12 +71,14 @@ class ToothPattern {
   std::vector<Triangle> faceTriangles;          ///< of the top face, counter-clockwise
   std::vector<Index> wallOfFace;                ///< wall vertex at the place of a face vertex
   std::vector<Index> base;                      ///< face vertices of the polygon that the body is sewn to
-  std::vector<double> baseAngles;
+  std::vector<double> baseAngles;               ///< before they are turned
+  std::vector<double> bottomTurns, topTurns;    ///< of the base
 
  private:
   void findUnique();
   void seedWalls();
   void twistWalls();
+  void seedSections();
   void seedFaces();
   void ladder();
   void sewTip(std::size_t top, std::size_t corner, std::size_t last);
@@ -73,7 +92,8 @@ class ToothPattern {
   const GearBlank& m_blank;
   std::vector<std::size_t> m_unique;  ///< indices of `half` without the second side of corners
   std::vector<double> m_reach;  ///< how far towards the tip each unique point is, along the tooth's middle
-  std::vector<double> m_bow;    ///< how far its rung sinks below the face, which is a cone in bevels
+  std::vector<std::array<double, 2>> m_faceTurns;  ///< of face vertices, bottom and top, by `sections`
+  std::vector<double> m_bow;  ///< how far its rung sinks below the face, which is a cone in bevels
 };
 
 void ToothPattern::findUnique() {
@@ -128,6 +148,17 @@ void ToothPattern::twistWalls() {
   topTurn = layers.back().turn;
 }
 
+void ToothPattern::seedSections() {
+  walls.clear();
+  isEdge.assign(m_blank.sections.size(), 0);
+  isEdge.back() = 1;
+  for (const std::vector<WallPoint>& section : m_blank.sections) {
+    std::vector<Seed>& wall = walls.emplace_back();
+    for (const WallPoint& point : section) wall.push_back(turnedSeed(point, true));
+    for (std::size_t i = section.size() - 1; i-- > 1;) wall.push_back(turnedSeed(section[i], false));
+  }
+}
+
 void ToothPattern::seedFaces() {
   const auto& half = m_blank.half;
   const std::size_t last = m_unique.size() - 1;
@@ -135,9 +166,14 @@ void ToothPattern::seedFaces() {
   const auto add = [&](std::size_t u, bool mirror) {
     const OutlinePoint& p = half[m_unique[u]];
     const auto seen = [&](const Vector3d& v) { return mirror ? mirrored(v) : v; };
-    faceBottom.push_back({seen(p.bottom), seen(p.bottomNormal)});
-    faceTop.push_back({seen(p.top), seen(p.topNormal)});
     const auto at = static_cast<Index>(m_unique[u]);
+    const bool isTurned = !m_blank.sections.empty();
+    const double down = isTurned ? m_blank.sections.front()[at].turn : 0;
+    const double up = isTurned ? m_blank.sections.back()[at].turn : 0;
+    faceBottom.push_back(
+        {seen(p.bottom), isTurned ? turned(seen(p.bottomNormal), down) : seen(p.bottomNormal)});
+    faceTop.push_back({seen(p.top), isTurned ? turned(seen(p.topNormal), up) : seen(p.topNormal)});
+    m_faceTurns.push_back({down, up});
     wallOfFace.push_back(mirror ? at : 2 * wallLast - at);
   };
   for (std::size_t u = 0; u <= last; ++u) add(u, true);
@@ -184,6 +220,10 @@ void ToothPattern::ladder() {
   if (first == 0) base.resize(1);
   for (const Index v : base)
     baseAngles.push_back(std::atan2(faceTop[v].position.y(), faceTop[v].position.x()));
+  for (const Index v : base) {
+    bottomTurns.push_back(bottomTurn + m_faceTurns[v][0]);
+    topTurns.push_back(topTurn + m_faceTurns[v][1]);
+  }
 }
 
 /// Sews the flank between a rung and the tip's corner to the tip between the corner and its middle, on both
@@ -260,14 +300,14 @@ class ToothedShell {
   /// `start`: angle of the first vertex of the circle that the loop is sewn to.
   [[nodiscard]] Loop baseLoop(bool top, double start) const {
     Loop loop;
-    const double turn = top ? m_pattern.topTurn : m_pattern.bottomTurn;
+    const std::vector<double>& turns = top ? m_pattern.topTurns : m_pattern.bottomTurns;
     for (Index k = 0; k < m_teeth; ++k) {
       for (std::size_t b = 0; b < m_pattern.base.size(); ++b) {
         loop.vertices.push_back(faceStart(top) + (k * m_faces + m_pattern.base[b]) % (m_teeth * m_faces));
-        loop.angles.push_back(2 * pi * k / m_teeth + m_pattern.baseAngles[b] + turn);
+        loop.angles.push_back(2 * pi * k / m_teeth + m_pattern.baseAngles[b] + turns[b]);
       }
     }
-    if (turn != 0) beginLoopAt(loop, start);
+    if (turns.front() != 0) beginLoopAt(loop, start);
     return loop;
   }
 

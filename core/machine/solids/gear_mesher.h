@@ -27,6 +27,15 @@ struct TwistLayer {
   double slope = 0;  ///< of the walls there: d turn / d height
 };
 
+/// A point of the half-tooth profile in one section of the teeth. The other half is mirrored before both are
+/// turned.
+struct WallPoint {
+  Eigen::Vector3d position;
+  Eigen::Vector3d normal;                           ///< of the wall, before it is turned
+  double turn = 0;                                  ///< rad, about the axis
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();  ///< the gradient of `turn`
+};
+
 /// The body below the teeth: its profile from the top face to the bottom face (poles where there is no bore).
 struct BodyBelow {
   std::vector<ProfileVertex> body;
@@ -44,6 +53,9 @@ struct GearBlank {
   /// Sections of the teeth from the bottom face to the top face, whose `half` is a cylinder then; empty:
   /// straight walls.
   std::vector<TwistLayer> layers = {};
+  /// Of teeth that no turned cylinder is, instead: all sections, from the bottom face to the top face, the
+  /// first and the last with the positions of `half` (but for their turn).
+  std::vector<std::vector<WallPoint>> sections = {};
   BodyBelow below;
 };
 

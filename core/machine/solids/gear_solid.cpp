@@ -18,7 +18,7 @@ namespace {
 /// Sections of a helical wheel, so near to each other that no chord along the tips is farther than
 /// `tolerance` (a length) from its helix.
 std::vector<TwistLayer> layersOf(const GearSpec& spec, double tolerance) {
-  if (spec.helixAngle == 0) return {};
+  if (spec.helixAngle == 0 || isConical(spec)) return {};
   const double half = spec.faceWidth / 2;
   const double slope = std::tan(spec.helixAngle) / pitchRadius(spec);
   const double reach = std::max(nominalTipRadius(spec), nominalRootRadius(spec));
@@ -49,6 +49,8 @@ Expected<Solid> gearSolid(const GearSpec& spec, double tolerance) {
   blank.below = {bodyProfile(spec), bodyWindows(spec), tolerance * spec.module};
   blank.layers = layersOf(spec, blank.below.tolerance);
   blank.half = wheelForm(spec).toothFaces(toothOf(spec, tolerance), spec);
+  if (const auto sections = wheelForm(spec).sections; sections != nullptr)
+    blank.sections = sections(blank.half, spec, blank.below.tolerance);
   return meshed(blank);
 }
 

@@ -10,7 +10,8 @@ namespace geargraph {
 
 KindTable<GearKind, WheelForm>& wheelForms() {
   static constinit KindTable<GearKind, WheelForm> table(&kDiscForm, &kRingForm, &kConeForm, &kPulleyForm,
-                                                        &kWormForm, &kWormWheelForm);
+                                                        &kWormForm, &kWormWheelForm, &kFaceForm,
+                                                        &kSmoothConeForm);
   return table;
 }
 

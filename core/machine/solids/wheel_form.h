@@ -25,6 +25,10 @@ struct WheelForm {
   double (*largestBore)(const GearSpec& spec) = nullptr;
   /// The tooth's profile at both faces. Unused without teeth, and where there is a `solid`.
   std::vector<OutlinePoint> (*toothFaces)(const HalfTooth& tooth, const GearSpec& spec) = nullptr;
+  /// The sections of teeth that no turned cylinder is, of the profile at the faces; `chord` is a length.
+  /// Empty: straight. Null: always straight, or turned cylinders.
+  std::vector<std::vector<WallPoint>> (*sections)(const std::vector<OutlinePoint>& half, const GearSpec& spec,
+                                                  double chord) = nullptr;
   /// As gearSolid(), of teeth that their profile at the faces does not determine.
   Solid (*solid)(const GearSpec& spec, double tolerance) = nullptr;
   /// As toothlessGear(); `chord` is a length.
@@ -47,6 +51,8 @@ extern const WheelForm kConeForm;
 extern const WheelForm kPulleyForm;
 extern const WheelForm kWormForm;
 extern const WheelForm kWormWheelForm;
+extern const WheelForm kFaceForm;
+extern const WheelForm kSmoothConeForm;
 
 /// Faces of a tooth on a cylinder: straight, square to the axis.
 [[nodiscard]] std::vector<OutlinePoint> cylinderFaces(const HalfTooth& tooth, const GearSpec& spec);

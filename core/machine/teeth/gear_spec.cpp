@@ -27,6 +27,18 @@ GearSpec helical(GearSpec spec, double helixAngle) {
   return spec;
 }
 
+GearSpec spiral(GearSpec spec, double spiralAngle) {
+  const double module = spec.module;
+  spec = helical(spec, spiralAngle);
+  spec.module = module;
+  return spec;
+}
+
+double spiralOf(const GearSpec& spec, double distance) {
+  if (spec.helixAngle == 0) return 0;
+  return std::tan(spec.helixAngle) / std::sin(spec.coneAngle) * std::log(distance / coneDistance(spec));
+}
+
 double normalModule(const GearSpec& spec) {
   return spec.module * std::cos(spec.helixAngle);
 }
@@ -45,7 +57,7 @@ double normalShift(const GearSpec& spec) {
 }
 
 double twistOf(const GearSpec& spec, double height) {
-  if (spec.helixAngle == 0) return 0;
+  if (spec.helixAngle == 0 || isConical(spec)) return 0;
   return (spec.herringbone ? -std::abs(height) : height) * std::tan(spec.helixAngle) / pitchRadius(spec);
 }
 

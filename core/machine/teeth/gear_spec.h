@@ -6,7 +6,7 @@ namespace geargraph {
 
 /// The kinds of wheels. What differs between them is asked of the kind: of its WheelKind (wheel_kind.h), or
 /// of its facet in the table of a layer that adds something. Nothing else compares kinds.
-enum class GearKind { external, internal, bevel, pulley, worm, wormWheel };
+enum class GearKind { external, internal, bevel, pulley, worm, wormWheel, faceGear, hypoid };
 
 /// The style of the part below the teeth.
 enum class GearBody {
@@ -28,6 +28,15 @@ enum class GearBody {
 /// its lead angle g, so that its transverse module is the axial one over tan g. Its wheel has the helix angle
 /// g and the worm's axial module; the worm's axis passes at `mateRadius` outside its pitch circle, over mid
 /// face.
+///
+/// A spiral bevel is described by its transverse section, as a straight one: module m at the large end,
+/// pressure angle atan(tan a_n / cos b), proportions and shift of the normal section times cos b, on every
+/// sphere about the apex; the section at distance R is that of the large end turned by spiralOf().
+///
+/// A face gear has its pitch plane on z = 0 and its teeth towards -z, where the axis of its pinion of
+/// `mateTeeth` teeth passes at the height -`mateRadius`; `faceWidth` reaches outwards from faceInner().
+///
+/// A hypoid is a bevel that is drawn without teeth.
 struct GearSpec {
   GearKind kind = GearKind::external;
   int teeth = 20;
@@ -47,10 +56,11 @@ struct GearSpec {
   double rim = 0;         ///< ring: outer diameter, 0: from the root
   double hub = 0;         ///< dressed: diameter of the hub, 0: from the bore
   GearBody body = GearBody::plain;
-  double helixAngle = 0;     ///< at the reference cylinder, rad, positive: right-hand. Not for bevels
+  double helixAngle = 0;     ///< at the reference cylinder, rad, positive: right-hand; bevels: spiral angle
   bool herringbone = false;  ///< `helixAngle` is that of the half below mid face, the other half mirrors it
-  int mateTeeth = 0;      ///< worm wheel: starts of the worm that cuts it; worm: teeth of the wheel, if known
-  double mateRadius = 0;  ///< pitch radius of that worm, or wheel
+  int mateTeeth =
+      0;  ///< worm wheel, face gear: starts or teeth of what cuts it; worm: of the wheel, if known
+  double mateRadius = 0;  ///< pitch radius of that worm, pinion or wheel
 
   friend bool operator==(const GearSpec&, const GearSpec&) = default;
 };
@@ -61,12 +71,18 @@ struct GearSpec {
 
 /// The helical wheel whose normal section has these measures. @pre spec.helixAngle is 0, not a bevel
 [[nodiscard]] GearSpec helical(GearSpec spec, double helixAngle);
+/// The spiral bevel whose normal section has these measures, at an unchanged module of the large end.
+[[nodiscard]] GearSpec spiral(GearSpec spec, double spiralAngle);
 /// Module, pressure angle and profile shift in the normal section, as they are stated and sold.
 [[nodiscard]] double normalModule(const GearSpec& spec);
 [[nodiscard]] double normalPressureAngle(const GearSpec& spec);
 [[nodiscard]] double normalShift(const GearSpec& spec);
 /// The angle by which the section at height z, from mid face, is turned against the one there, rad.
 [[nodiscard]] double twistOf(const GearSpec& spec, double height);
+
+/// The angle by which the section of a bevel on the sphere of this radius is turned against that of its large
+/// end, rad: a logarithmic spiral, d turn / d R = tan b / (R sin d).
+[[nodiscard]] double spiralOf(const GearSpec& spec, double distance);
 
 /// The module by which bodies, gaps and tolerances are measured: that of the spec, of a worm that of its
 /// axial section, which is the wheel's.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/foundations/base/contract.h"
+#include "core/machine/teeth/wheel_kind.h"
 
 namespace geargraph {
 namespace {
@@ -49,7 +50,8 @@ std::vector<std::vector<int>> meshesOf(std::size_t wheels, std::span<const Phase
 PhaseWheel phaseWheelOf(const GearSpec& spec, const Vector3d& centre, const Vector3d& axis,
                         const Vector3d& mark) {
   PhaseWheel wheel{centre, axis, mark, spec.teeth};
-  if (spec.helixAngle != 0) wheel.twist = std::tan(spec.helixAngle) / pitchRadius(spec);
+  // All sections of a bevel are in phase with those of its mate on the same sphere.
+  if (spec.helixAngle != 0 && !isConical(spec)) wheel.twist = std::tan(spec.helixAngle) / pitchRadius(spec);
   wheel.herringbone = spec.herringbone;
   return wheel;
 }

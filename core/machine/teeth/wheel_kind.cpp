@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/machine/teeth/face_gear.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/teeth/worm.h"
 #include "core/machine/teeth/worm_cut.h"
@@ -72,6 +73,7 @@ constexpr WheelKind kBevelWheel{.name = "bevel",
                                 .rootRadius = coneRoot,
                                 .shareOfVirtual = backConeShare,
                                 .tooth = bevelTooth,
+                                .withHelix = spiral,
                                 .contactRatio = bevelContactRatio};
 
 /// The surface of a pulley lies under its belt, half of whose thickness the running radius includes.
@@ -106,11 +108,36 @@ constexpr WheelKind kThroatedWheel{.name = "wormWheel",
                                    .usualFace = usualWheelFace,
                                    .contactRatio = wormWheelContactRatio};
 
+double faceTips(const GearSpec& spec) {
+  return faceInner(spec) + spec.faceWidth;
+}
+
+/// Its teeth are on a plane, so that it has no root circle: where they end inwards.
+constexpr WheelKind kFaceWheel{.name = "faceGear",
+                               .isFace = true,
+                               .tipRadius = faceTips,
+                               .rootRadius = faceInner,
+                               .shareOfVirtual = sameAsVirtual,
+                               .tooth = faceTooth,
+                               .usualFace = usualFaceGearFace,
+                               .contactRatio = faceContactRatio};
+
+/// A stand-in: its pitch cone.
+constexpr WheelKind kHypoidWheel{.name = "hypoid",
+                                 .isConical = true,
+                                 .isStandIn = true,
+                                 .cornerRadius = 0.30,
+                                 .tipRadius = pitchRadius,
+                                 .rootRadius = pitchRadius,
+                                 .shareOfVirtual = backConeShare,
+                                 .withHelix = spiral};
+
 }  // namespace
 
 KindTable<GearKind, WheelKind>& wheelKinds() {
   static constinit KindTable<GearKind, WheelKind> table(&kExternalWheel, &kRingWheel, &kBevelWheel,
-                                                        &kPulleyWheel, &kWormWheel, &kThroatedWheel);
+                                                        &kPulleyWheel, &kWormWheel, &kThroatedWheel,
+                                                        &kFaceWheel, &kHypoidWheel);
   return table;
 }
 
@@ -143,8 +170,12 @@ bool isToothed(const GearSpec& spec) {
   return wheelKind(spec.kind).tooth != nullptr;
 }
 
+bool isFaceGear(const GearSpec& spec) {
+  return wheelKind(spec.kind).isFace;
+}
+
 bool isDisc(const GearSpec& spec) {
-  return !isRing(spec) && !isConical(spec);
+  return !isRing(spec) && !isConical(spec) && !isFaceGear(spec);
 }
 
 }  // namespace geargraph

@@ -8,7 +8,7 @@
 #include "core/machine/teeth/half_tooth.h"
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 6;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::GearKind> = 8;
 
 namespace geargraph {
 
@@ -17,6 +17,9 @@ struct WheelKind {
   std::string_view name;   ///< the word in what programs read
   bool isRing = false;     ///< its teeth point to the axis
   bool isConical = false;  ///< its pitch surface is a cone with the apex at the origin (GearSpec::coneAngle)
+  bool isFace =
+      false;  ///< its teeth stand on a plane face, cut by a pinion across its axis (GearSpec::mateTeeth)
+  bool isStandIn = false;      ///< the wheel has teeth, but is drawn without: they are not known here
   double cornerRadius = 0.38;  ///< of the basic rack: GearSpec::rootRadius
   int fewestTeeth = kMinGearTeeth;
   double (*tipRadius)(const GearSpec& spec) = nullptr;   ///< as nominalTipRadius()
@@ -51,6 +54,7 @@ constexpr double kHalfBelt = 0.25;
 [[nodiscard]] bool isRing(const GearSpec& spec);
 [[nodiscard]] bool isConical(const GearSpec& spec);
 [[nodiscard]] bool isToothed(const GearSpec& spec);
+[[nodiscard]] bool isFaceGear(const GearSpec& spec);
 /// Round its whole axis, with what meshes with it outside.
 [[nodiscard]] bool isDisc(const GearSpec& spec);
 

@@ -9,6 +9,11 @@ namespace {
 constexpr double kStep = 0.85;
 constexpr int kMaxFaceSteps = 7;  // to a third
 
+/// The teeth of a face gear are as wide as they are.
+bool canShorten(const TrainPair& pair) {
+  return hasIntersectingAxes(pair.kind) && !pairKind(pair.kind).hasFace && pair.openFace;
+}
+
 /// Bevels are shortened together with all that meshes with them, so that teeth in mesh stay equally wide.
 class FaceShortener {
  public:
@@ -51,7 +56,7 @@ class FaceShortener {
     for (std::size_t next = 0; next < found.size(); ++next) {
       for (const std::size_t p : m_pairsOf[found[next]]) {
         const TrainPair& pair = m_train.pairs[p];
-        if (!hasIntersectingAxes(pair.kind) || !pair.openFace) return {};
+        if (!canShorten(pair)) return {};
         const GearOrdinal partner = pair.tail == found[next] ? pair.head : pair.tail;
         if (std::find(found.begin(), found.end(), partner) == found.end()) found.push_back(partner);
       }
@@ -78,9 +83,8 @@ class FaceShortener {
 }  // namespace
 
 void shortenFaces(TrainWheels& train, const Placement& placement, const std::stop_token& stop) {
-  const bool open = std::any_of(train.pairs.begin(), train.pairs.end(), [](const TrainPair& pair) {
-    return hasIntersectingAxes(pair.kind) && pair.openFace;
-  });
+  const bool open = std::any_of(train.pairs.begin(), train.pairs.end(),
+                                [](const TrainPair& pair) { return canShorten(pair); });
   if (!open) return;
   // In the order of meshes, of each the smaller wheel first: tail and head make no difference.
   const auto rank = [&](GearOrdinal w) {

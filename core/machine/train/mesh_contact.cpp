@@ -40,12 +40,33 @@ double addendumRatio(const PlaneGear& gear, const PlaneGear& partner, double pre
   return std::clamp(length, 0.0, std::max(limit, 0.0)) / pitch;
 }
 
+/// A pinion on its face gear, which is a rack where their pitch circles touch.
+MeshContact rackContact(const GearSpec& pinion, const GearSpec& face, bool isTailFace) {
+  const PlaneGear gear = planeGear(pinion);
+  const double angle = pinion.pressureAngle;
+  const double base = gear.teeth / 2 * std::cos(angle);
+  const double atPitchPoint = base * std::tan(angle);
+  const double pitch = std::numbers::pi * std::cos(angle);
+  const double ofPinion = std::sqrt(std::max(gear.tip * gear.tip - base * base, 0.0)) - atPitchPoint;
+  const double ofFace = std::min((face.addendum + face.profileShift) / std::sin(angle), atPitchPoint);
+  MeshContact contact;
+  contact.pressureAngle = angle;
+  contact.tailAddendum = (isTailFace ? ofFace : ofPinion) / pitch;
+  contact.headAddendum = (isTailFace ? ofPinion : ofFace) / pitch;
+  contact.slidingTeeth = 1 / gear.teeth;
+  return contact;
+}
+
 MeshContact contactOf(const TrainPair& pair, const GearSpec& tailSpec, const GearSpec& headSpec) {
   if (hasSkewAxes(pair.kind)) {
     MeshContact crossed;
     crossed.pressureAngle = normalPressureAngle(tailSpec);
     crossed.crossing = {tailSpec.helixAngle, headSpec.helixAngle};
     return crossed;
+  }
+  if (pairKind(pair.kind).hasFace) {
+    const bool isTailFace = isFaceGear(tailSpec);
+    return rackContact(isTailFace ? headSpec : tailSpec, isTailFace ? tailSpec : headSpec, isTailFace);
   }
   const PlaneGear tail = planeGear(tailSpec);
   const PlaneGear head = planeGear(headSpec);

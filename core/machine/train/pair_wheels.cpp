@@ -14,12 +14,15 @@ static_assert(kMaxStarts == kMaxWormStarts);
 /// Pins have none, and no solids are made of racks and screws.
 constexpr PairWheels kNoWheels{.smaller = GearKind::pulley, .larger = GearKind::pulley, .none = true};
 
+constexpr PairWheels kPinionAndFace{GearKind::external, GearKind::faceGear};
+constexpr PairWheels kTwoOffsetCones{GearKind::hypoid, GearKind::hypoid};
+
 }  // namespace
 
 KindTable<MeshKind, PairWheels>& pairWheels() {
   static constinit KindTable<MeshKind, PairWheels> table(&kTwoDiscs, &kDiscInRing, &kTwoCones, &kTwoPulleys,
                                                          &kNoWheels, &kNoWheels, &kNoWheels, &kTwoDiscs,
-                                                         &kWormAndWheel);
+                                                         &kWormAndWheel, &kPinionAndFace, &kTwoOffsetCones);
   return table;
 }
 

@@ -72,6 +72,17 @@ void ToothFinder::addGear(const TrainGear& gear) {
   }
   if (!isToothed(spec)) {
     m_teeth.emplace_back();
+    if (wheelKind(spec.kind).isStandIn) {
+      Diagnostic standIn;
+      standIn.code = Code::standIn;
+      standIn.elements = blamed(m_mechanism, gear);
+      standIn.message = translated(
+          "Gear %1 (%2 teeth) is drawn as its pitch cone: the teeth of hypoid gears are not made here. "
+          "Motion, "
+          "torques and forces are those of the teeth.",
+          {gear.name, teeth});
+      found.push_back(std::move(standIn));
+    }
     return;
   }
   m_teeth.emplace_back(toothOf(spec, kDiagnosticTolerance));
@@ -109,6 +120,13 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
                                        std::to_string(tail.spec.teeth), std::to_string(head.spec.teeth)});
   // Gears on skew axes touch in a point that runs along the teeth: no ratio of a plane is theirs.
   if (hasSkewAxes(saidKind(m_mechanism.gearMeshes[mesh.mesh]))) return;
+  if (isFaceGear(tail.spec) || isFaceGear(head.spec)) {
+    const auto face = isFaceGear(tail.spec) ? t : h, pinion = isFaceGear(tail.spec) ? h : t;
+    addContact(contactRatio(m_train.gears[face].spec, *m_teeth[face], m_train.gears[pinion].spec,
+                            *m_teeth[pinion], 0),
+               pair, id);
+    return;
+  }
   const double distance = distanceOf(tail, head);
   addContact(contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance), pair, id);
   if (isConical(tail.spec)) {

@@ -10,6 +10,7 @@
 
 #include "core/foundations/base/disjoint_sets.h"
 #include "core/machine/solids/spec_diagnostics.h"
+#include "core/machine/teeth/face_gear.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/teeth/wheel_kind.h"
@@ -215,7 +216,7 @@ void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
 
 double defaultFace(const GearSpec& spec, MeshKind kind) {
   if (const auto own = wheelKind(spec.kind).usualFace) return own(spec);
-  if (hasSkewAxes(kind)) return kDefaultCrossedFace * normalModule(spec);
+  if (hasSkewAxes(kind) && !isConical(spec)) return kDefaultCrossedFace * normalModule(spec);
   if (!isConical(spec)) return kDefaultSpurFace * normalModule(spec);
   return std::min(coneDistance(spec) / 3, kMaxBevelFace * spec.module);
 }
@@ -226,21 +227,36 @@ struct BlockedPlane {
   double high = 0;
 };
 
+/// A pinion covers the teeth of its face gear, which lie on one side of the pitch point for the most part.
+BlockedPlane besideFace(const TrainWheel& gear, const TrainWheel& pinion, const Eigen::Vector3d& pitchPoint,
+                        double face) {
+  const double inner = faceInner(gear.spec) - pitchRadius(gear.spec);
+  const bool isOutward = (pitchPoint - gear.origin).dot(pinion.axis) > 0;
+  if (isOutward) return {inner, inner + face};
+  return {-inner - face, -inner};
+}
+
 void setFaces(const Mechanism& mechanism, TrainWheels& train) {
   ByGear<BlockedPlane> covers(train.wheels.size());
   for (TrainPair& pair : train.pairs) {
     std::optional<Number> stated = mechanism.gearMeshes[pair.mesh].faceWidth;
     if (!stated && mechanism.gearDefaults) stated = mechanism.gearDefaults->faceWidth;
     pair.openFace = !stated || stated->value() <= 0;
+    const bool hasFace = pairKind(pair.kind).hasFace;
+    const GearOrdinal faceGear = isFaceGear(train.wheels[pair.tail].spec) ? pair.tail : pair.head;
     for (const GearOrdinal w : {pair.tail, pair.head}) {
       const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
-      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec, pair.kind);
+      const TrainWheel& leading = hasFace ? train.wheels[faceGear] : wheel;
+      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(leading.spec, pair.kind);
+      if (hasFace) face = std::min(face, usualFaceGearFace(leading.spec));
       if (isConical(wheel.spec)) face = std::min(face, 0.6 * coneDistance(wheel.spec));
       const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
       const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
       BlockedPlane& cover = covers[w];
-      cover.low = std::min(cover.low, plane - face / 2);
-      cover.high = std::max(cover.high, plane + face / 2);
+      const BlockedPlane own = hasFace && w != faceGear ? besideFace(leading, wheel, pair.pitchPoint, face)
+                                                        : BlockedPlane{-face / 2, face / 2};
+      cover.low = std::min(cover.low, plane + own.low);
+      cover.high = std::max(cover.high, plane + own.high);
     }
   }
   for (const GearOrdinal w : covers.ordinals()) {

@@ -6,6 +6,7 @@
 #include "core/machine/teeth/wheel_kind.h"
 #include "core/machine/train/pair_wheels.h"
 #include "core/machine/train/wheel_sharing.h"
+#include "core/mechanism/placement/hypoid.h"
 
 namespace geargraph {
 namespace {
@@ -54,6 +55,10 @@ class WheelFinder {
                                         const MeshGeometry& geometry) const;
   void bevelWheels(const WheelSide& tail, const WheelSide& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
+  [[nodiscard]] TrainWheel faceGear(const WheelSide& side, const MeshGeometry& geometry,
+                                    int pinionTeeth) const;
+  void offsetWheels(const WheelSide& tail, const WheelSide& head, const MeshGeometry& geometry, TrainWheel& a,
+                    TrainWheel& b) const;
   void setHelices(const GearMesh& drawn, const MeshGeometry& geometry, TrainWheel& a, TrainWheel& b) const;
   void compare(GearOrdinal wheel, const TrainWheel& with, MeshOrdinal mesh);
   [[nodiscard]] std::vector<GearOrdinal> like(const TrainWheel& wheel) const;
@@ -80,7 +85,18 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   pair.movable = geometry.derived && pairKind(geometry.kind).axes == LinePosition::parallel;
   TrainWheel a;
   TrainWheel b;
-  if (hasIntersectingAxes(geometry.kind)) {
+  if (pairKind(geometry.kind).hasFace) {
+    const auto wheelAt = [&](const WheelSide& side, const WheelSide& partner) {
+      return side.teeth > partner.teeth
+                 ? faceGear(side, geometry, partner.teeth)
+                 : parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partner.teeth));
+    };
+    a = wheelAt(tail, head);
+    b = wheelAt(head, tail);
+  } else if (pairKind(geometry.kind).isOffset) {
+    pair.normal = wide(geometry.normal);
+    offsetWheels(tail, head, geometry, a, b);
+  } else if (hasIntersectingAxes(geometry.kind)) {
     bevelWheels(tail, head, geometry, a, b);
   } else if (hasSkewAxes(geometry.kind)) {
     pair.distance = tail.radius + head.radius;
@@ -209,10 +225,46 @@ void WheelFinder::bevelWheels(const WheelSide& tail, const WheelSide& head, cons
   fill(b, head, tail.teeth, kb);
 }
 
+/// A face gear, with its pitch plane where the pinion's cylinder touches it; its axis leads away from there.
+TrainWheel WheelFinder::faceGear(const WheelSide& side, const MeshGeometry& geometry, int pinionTeeth) const {
+  TrainWheel wheel = parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, pinionTeeth));
+  const bool isTail = side.link == geometry.tail && side.axisGroup == geometry.tailClass;
+  const AxisLine& pinion = m_placement.lineOfClass(isTail ? geometry.headClass : geometry.tailClass);
+  const Vector3d toPoint =
+      isTail ? wide(geometry.tailToPitch) - wide(geometry.tailToHead) : wide(geometry.tailToPitch);
+  const Vector3d away = toPoint - toPoint.dot(wide(pinion.direction)) * wide(pinion.direction);
+  if (away.dot(wheel.axis) < 0) wheel.axis = -wheel.axis;
+  wheel.spec.module = 2 * side.radius / side.teeth;
+  wheel.spec.mateTeeth = pinionTeeth;
+  wheel.spec.mateRadius = wheel.spec.module * pinionTeeth / 2;
+  return wheel;
+}
+
+/// Cones that have the pitch plane in common, with the pitch point at their large ends.
+void WheelFinder::offsetWheels(const WheelSide& tail, const WheelSide& head, const MeshGeometry& geometry,
+                               TrainWheel& a, TrainWheel& b) const {
+  const AxisLine& line = m_placement.lineOfClass(tail.axisGroup);
+  const OffsetCones cones =
+      offsetCones(geometry, line.direction, m_placement.lineOfClass(head.axisGroup).direction);
+  const auto fill = [&](TrainWheel& wheel, const WheelSide& side, int partnerTeeth, const OffsetCone& cone) {
+    wheel.link = side.link;
+    wheel.axisGroup = side.axisGroup;
+    wheel.axis = wide(cone.axis);
+    wheel.origin = wide(line.point) + wide(cone.apex);
+    wheel.workingRadius = side.radius;
+    const GearKind kind = wheelOf(geometry.kind, side.teeth, partnerTeeth);
+    wheel.spec = standardGear(kind, side.teeth, 2 * side.radius / side.teeth, 1);
+    wheel.spec.coneAngle = cone.angle;
+  };
+  fill(a, tail, head.teeth, cones.tail);
+  fill(b, head, tail.teeth, cones.head);
+}
+
 bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
   if (a.id || b.id) return a.id == b.id;
   if (a.axisGroup != b.axisGroup || a.spec.teeth != b.spec.teeth || a.spec.kind != b.spec.kind) return false;
   const double scale = a.workingRadius;
+  if (isFaceGear(a.spec) && (a.axis.dot(b.axis) < 0 || a.spec.mateTeeth != b.spec.mateTeeth)) return false;
   if ((a.origin - b.origin).norm() > 1e-6 * scale) return false;
   if (!isConical(a.spec)) {
     return std::abs(a.workingRadius - b.workingRadius) <= kSameWheel * scale;

@@ -59,12 +59,13 @@ std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& plac
   if (!geometry) return std::nullopt;
   const GearMesh& element = mechanism.gearMeshes[mesh];
   if (element.module) return element.module->value();
-  if (pairKind(geometry->kind).isThreaded) {  // axial, which is the transverse one of the wheel
+  if (pairKind(geometry->kind).isThreaded || pairKind(geometry->kind).isOffset) {
+    // Of a worm the axial one, which is the transverse one of the wheel; of a hypoid that of the larger gear.
     const bool isTailWheel = element.tailTeeth > element.headTeeth;
     return 2 * (isTailWheel ? geometry->tailPitchRadius() : geometry->headPitchRadius()) /
            std::max(element.tailTeeth, element.headTeeth);
   }
-  const double share = hasSkewAxes(geometry->kind) ? 1 : std::cos(geometry->tailHelix);
+  const double share = hasParallelAxes(geometry->kind) ? std::cos(geometry->tailHelix) : 1;
   return 2 * std::abs(geometry->tailRadius) / element.tailTeeth * share;
 }
 

@@ -145,6 +145,33 @@ constexpr PairKind kWorm{.name = "worm",
                          .other = MeshKind::crossedHelical,
                          .since = 2};
 
+constexpr PairKind kFaceGear{.name = "faceGear",
+                             .word = toTranslate("face gear"),
+                             .makeIt = toTranslate("Make %1 a face gear"),
+                             .axes = LinePosition::intersecting,
+                             .sense = 0,
+                             .isSquare = true,
+                             .statesHelix = false,
+                             .hasFace = true,
+                             .distance = sumOf,
+                             .distanceForm = sumForm,
+                             .secondCentral = noSecond,
+                             .other = MeshKind::bevel,
+                             .since = 2};
+
+constexpr PairKind kHypoid{.name = "hypoid",
+                           .word = toTranslate("hypoid"),
+                           .makeIt = toTranslate("Make %1 hypoid"),
+                           .axes = LinePosition::skew,
+                           .sense = 0,
+                           .statesHelix = false,
+                           .isOffset = true,
+                           .distance = sumOf,
+                           .distanceForm = sumForm,
+                           .secondCentral = noSecond,
+                           .other = MeshKind::crossedHelical,
+                           .since = 2};
+
 template <class Fits>
 MeshKind firstKind(const Fits& fits) {
   const auto all = meshKinds();
@@ -158,7 +185,8 @@ MeshKind firstKind(const Fits& fits) {
 
 KindTable<MeshKind, PairKind>& pairKinds() {
   static constinit KindTable<MeshKind, PairKind> table(&kExternal, &kInternal, &kBevel, &kBelt, &kPins,
-                                                       &kRack, &kScrew, &kCrossedHelical, &kWorm);
+                                                       &kRack, &kScrew, &kCrossedHelical, &kWorm, &kFaceGear,
+                                                       &kHypoid);
   return table;
 }
 

@@ -22,6 +22,8 @@ enum class MeshKind : std::uint8_t {
   screw,
   crossedHelical,
   worm,
+  faceGear,
+  hypoid,
 };
 
 }  // namespace geargraph
@@ -69,6 +71,13 @@ struct PairKind {
   /// (weightsOf()). Else both turn.
   bool slides = false;
   bool isThreaded = false;  ///< the wheel with fewer teeth is a worm: they are its starts, at most kMaxStarts
+  bool isSquare = false;    ///< its axes cross at right angles
+  /// Documents may state helix angle and hand of its teeth; else these are straight, or follow from the rest.
+  bool statesHelix = true;
+  /// The wheel with fewer teeth is a spur pinion, the other one carries its teeth on a plane face.
+  bool hasFace = false;
+  /// Its wheels are cones that touch in the pitch point, on skew axes.
+  bool isOffset = false;
   /// The centre distance of pitch radii. Unused where axes intersect.
   double (*distance)(double tailRadius, double headRadius) = nullptr;
   /// The same for teeth of one wheel, by those of its partner; `isLarger`: it has more teeth.

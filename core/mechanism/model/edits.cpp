@@ -359,6 +359,11 @@ Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional
     found->herringbone = false;
     if (now.isThreaded) found->helixAngle.reset();
   }
+  if (!now.statesHelix) {
+    found->herringbone = false;
+    found->helixAngle.reset();
+    found->hand.reset();
+  }
   settleWeights(*found);
   if (hadNoTeeth && statesTeeth(*found)) {  // 1 : 1 are no teeth
     const GearMesh usual;

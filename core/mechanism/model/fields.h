@@ -293,22 +293,24 @@ struct Description<GearMesh> {
                                              "`efficiency`",
                                   .fallback = "that of `gearDefaults`",
                                   .range = NumberRange::fraction}),
-      field(&GearMesh::helixAngle,
-            {.name = "helixAngle",
-             .value = MemberValue::number,
-             .meaning =
-                 "of the teeth of the first gear at its reference cylinder; not of a bevel pair or a worm. "
-                 "The ratio does not depend on it",
-             .fallback = "straight teeth; of `crossedHelical` the same angle on both gears",
-             .measure = Measure::angle,
-             .range = NumberRange::acuteAngle,
-             .since = 2}),
+      field(
+          &GearMesh::helixAngle,
+          {.name = "helixAngle",
+           .value = MemberValue::number,
+           .meaning =
+               "of the teeth of the first gear at its reference cylinder; of a bevel pair the spiral angle. "
+               "Not of a worm, a face gear or a hypoid pair. The ratio does not depend on it",
+           .fallback = "straight teeth; of `crossedHelical` the same angle on both gears",
+           .measure = Measure::angle,
+           .range = NumberRange::acuteAngle,
+           .since = 2}),
       field(&GearMesh::hand,
             {.name = "hand",
              .value = MemberValue::hand,
              .meaning = "of the helix of the first gear. That of the second follows: the opposite one of an "
-                        "external pair, the same of an internal one and of a worm, and of "
-                        "`crossedHelical` that which the crossing angle leaves",
+                        "external or bevel pair, the same of an internal one and of a worm, and of "
+                        "`crossedHelical` that which the crossing angle leaves. Right-hand bevel teeth turn "
+                        "clockwise outwards, seen from the apex",
              .fallback = "`right`; of `crossedHelical` without helix angle that which fits",
              .since = 2}),
       field(&GearMesh::herringbone,
@@ -318,18 +320,18 @@ struct Description<GearMesh> {
                         "that of the half on the side against the direction of the first gear's axis",
              .fallback = "false",
              .since = 2}),
-      field(
-          &GearMesh::module,
-          {.name = "module",
-           .value = MemberValue::number,
-           .meaning =
-               "the normal module; with the centre distance it fixes the sum of the profile shifts. "
-               "Of a bevel pair without `pitchPoint`: at the large end; of a worm: in its axial section; of "
-               "a rack, which needs it or a `pitch`: that of the rack along its motion",
-           .fallback = "follows from the centre distance",
-           .measure = Measure::length,
-           .range = NumberRange::positive,
-           .since = 2}),
+      field(&GearMesh::module,
+            {.name = "module",
+             .value = MemberValue::number,
+             .meaning = "the normal module; with the centre distance it fixes the sum of the profile shifts. "
+                        "Of a bevel pair or face gear without `pitchPoint`: the transverse one at the large "
+                        "end, or at the pitch point; of a worm: in its axial section; of a rack, which needs "
+                        "it or a `pitch`: that of the rack along its motion; of a hypoid pair without "
+                        "`pitchPoint`: that of the larger gear at its pitch point",
+             .fallback = "follows from the centre distance",
+             .measure = Measure::length,
+             .range = NumberRange::positive,
+             .since = 2}),
       field(&GearMesh::pressureAngle, {.name = "pressureAngle",
                                        .value = MemberValue::number,
                                        .meaning = "of the teeth, in the normal section",

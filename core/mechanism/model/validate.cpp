@@ -182,8 +182,23 @@ class WellFormedCheck {
         {mesh.id}, pointer);
   }
 
-  /// Helices of pairs on skew axes.
+  /// Helices of pairs on skew axes, and of kinds that leave no choice.
   void checkCrossing(const GearMesh& mesh, const std::string& at) {
+    const auto reject = [&](bool isThere, const char* member) {
+      if (!isThere) return;
+      add(Code::schema,
+          translated(
+              "The teeth of a face gear are straight, and those of a hypoid pair follow from its pitch "
+              "point; mesh \"%1\" says otherwise: leave it out.",
+              {mesh.id.text()}),
+          {mesh.id}, at + member);
+    };
+    if (!pairKind(saidKind(mesh)).statesHelix) {
+      reject(mesh.helixAngle.has_value(), "/helixAngle");
+      reject(mesh.hand.has_value(), "/hand");
+      reject(mesh.herringbone, "/herringbone");
+      return;
+    }
     if (!hasSkewAxes(saidKind(mesh)) || slides(saidKind(mesh))) return;
     if (mesh.herringbone) {
       add(Code::schema,

@@ -199,7 +199,8 @@ std::optional<Rational> exactLeadTangent(const GearMesh& mesh, const ExactVector
 }
 
 bool placeCrossing(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
-                   LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics) {
+                   LinePosition position, const SkewChoice& /*choice*/, MeshGeometry& geometry,
+                   Diagnostics& diagnostics) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
   const MeshKind kind = saidKind(element);
   const auto reject = [&](Detail detail, const std::string& message) {

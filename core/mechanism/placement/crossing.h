@@ -35,6 +35,16 @@ struct CrossedProblem {
   std::string message;
 };
 
+/// What the document leaves open of a pair on skew axes.
+struct SkewChoice {
+  BevelSides sides;   ///< hypoid: the half axes, from the feet of the common perpendicular
+  double module = 0;  ///< hypoid: of the gear
+};
+
+using SkewPlacer = bool (*)(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
+                            LinePosition position, const SkewChoice& choice, MeshGeometry& geometry,
+                            Diagnostics& diagnostics);
+
 using CrossedRule = std::variant<CrossedWheels, CrossedProblem> (*)(const GearMesh& mesh,
                                                                     const CrossedAxes& axes);
 
@@ -69,6 +79,7 @@ using CrossedRule = std::variant<CrossedWheels, CrossedProblem> (*)(const GearMe
 /// perpendicular; with teeth-geometry where teeth, module, helix and distance contradict each other.
 /// @pre as checkGeometry(), and the kind is known and one for skew axes
 [[nodiscard]] bool placeCrossing(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<double>& pair,
-                                 LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics);
+                                 LinePosition position, const SkewChoice& choice, MeshGeometry& geometry,
+                                 Diagnostics& diagnostics);
 
 }  // namespace geargraph

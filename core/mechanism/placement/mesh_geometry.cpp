@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 
 #include "core/foundations/base/translation.h"
@@ -158,12 +159,33 @@ Diagnostic wrongTeeth(const Mechanism& mechanism, MeshOrdinal mesh, const GearPa
                   text(fitting), fit(pair, position, found, found.sign)}));
 }
 
-Diagnostic helixOnMeetingAxes(const Mechanism& mechanism, MeshOrdinal mesh) {
-  return makeDiagnostic(
-      mechanism, mesh, Detail::helixAgainstTeeth,
-      translated(
-          "it has a helix angle or herringbone teeth, but its axes meet: bevel teeth are straight here. "
-          "What fits: none."));
+/// A stated helix where the kind leaves no choice.
+std::optional<Diagnostic> helixOnMeetingAxes(const Mechanism& mechanism, MeshOrdinal mesh, MeshKind kind) {
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  if (element.herringbone) {
+    return makeDiagnostic(
+        mechanism, mesh, Detail::helixAgainstTeeth,
+        translated("it has herringbone teeth, but its axes meet. What fits: a helix angle alone, or none."));
+  }
+  if (helixOf(element) == 0 || pairKind(kind).statesHelix) return std::nullopt;
+  return makeDiagnostic(mechanism, mesh, Detail::helixAgainstTeeth,
+                        translated("it has a helix angle, but the pinion of a face gear has straight teeth "
+                                   "here. What fits: none."));
+}
+
+Diagnostic wrongAngle(const Mechanism& mechanism, MeshOrdinal mesh, MeshKind kind, double cosine) {
+  const double degrees = std::acos(std::min(std::abs(cosine), 1.0)) * 180 / std::numbers::pi;
+  return makeDiagnostic(mechanism, mesh, Detail::kindAgainstAxes,
+                        translated("it says %1, but its axes meet at %2 degrees. What fits: bevel, or axes "
+                                   "that meet at 90 degrees.",
+                                   {kindWord(kind), text(std::round(degrees * 1e4) / 1e4)}));
+}
+
+Diagnostic noFace(const Mechanism& mechanism, MeshOrdinal mesh) {
+  return makeDiagnostic(mechanism, mesh, Detail::teethAgainstRadii,
+                        translated("a face gear has more teeth than its pinion; both have %1. What fits: "
+                                   "other numbers, or bevel.",
+                                   {std::to_string(mechanism.gearMeshes[mesh].tailTeeth)}));
 }
 
 /// `module` with teeth that no sum of profile shifts brings to the distance of the axes.
@@ -182,7 +204,9 @@ std::optional<Diagnostic> checkHelix(const Mechanism& mechanism, MeshOrdinal mes
                                      MeshGeometry& geometry) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
   if (position != LinePosition::parallel) {
-    if (helixOf(element) != 0 || element.herringbone) return helixOnMeetingAxes(mechanism, mesh);
+    if (auto wrong = helixOnMeetingAxes(mechanism, mesh, geometry.kind)) return wrong;
+    geometry.tailHelix = helixOf(element);
+    geometry.headHelix = -geometry.tailHelix;
     return std::nullopt;
   }
   geometry.tailHelix = helixOf(element);
@@ -210,6 +234,21 @@ double MeshGeometry::tailPitchRadius() const {
 
 double MeshGeometry::headPitchRadius() const {
   return pitchRadiusOf(kind, headRadius, headHelix);
+}
+
+int tailHalfAxis(const MeshGeometry& geometry, const Vector3& tailDirection, const Vector3& headDirection) {
+  const Vector3 apex = apexOf<double>({{0, 0, 0}, tailDirection, geometry.tailToHead, headDirection, 1, 1});
+  const Vector3 line = geometry.tailToPitch - apex;
+  constexpr double kCrown = 1e-9;
+  const auto isCrown = [&](const Vector3& k) { return std::abs(dot(k, line)) < kCrown * length(line); };
+  const Vector3 head = dot(headDirection, line) < 0 ? -1.0 * headDirection : headDirection;
+  int side = dot(tailDirection, line) < 0 ? -1 : 1;
+  const Vector3 tail = static_cast<double>(side) * tailDirection;
+  if (isCrown(tail)) return dot(tail, head) > 0 ? -side : side;
+  const bool isBetween = dot(cross(tail, line), cross(line, head)) > 0;
+  if (!isBetween && !isCrown(head) && std::abs(geometry.tailRadius) > std::abs(geometry.headRadius))
+    side = -side;
+  return side;
 }
 
 Vector3 orientedNormal(const Vector3& direction) {
@@ -271,6 +310,10 @@ bool checkGeometry(const Mechanism& mechanism, MeshOrdinal mesh, const GearPair<
   if (const std::optional<MeshKind> said = mechanism.gearMeshes[mesh].kind) {
     const PairKind& kind = pairKind(*said);
     if (kind.axes != position) return reject(wrongKind(mechanism, mesh, *said, position));
+    const double cosine = dot(pair.tailDirection, pair.headDirection);
+    if (kind.isSquare && std::abs(cosine) > kGeometryFits)
+      return reject(wrongAngle(mechanism, mesh, *said, cosine));
+    if (kind.hasFace && pair.tailTeeth == pair.headTeeth) return reject(noFace(mechanism, mesh));
     if (kind.sense == -sense) return reject(wrongSign(mechanism, mesh, pair, position, geometry));
     geometry.kind = *said;
   }

@@ -41,8 +41,10 @@ struct MeshGeometry {
                           ///< e_c . u_A where that side slides
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
   /// Helix angles at the reference cylinders, rad, positive for right-hand helices; 0: straight teeth. No
-  /// radius, sign or coefficient of parallel axes depends on them. On skew axes they make e_c, the tooth
-  /// normal in the plane that touches both cylinders (crossing.h), so that tailRadius is r cos(beta) there.
+  /// radius, sign or coefficient of parallel or meeting axes depends on them. On skew axes they make e_c, the
+  /// tooth normal in the plane that touches both cylinders or cones (crossing.h, hypoid.h), so that
+  /// tailRadius is r cos(beta) there. Of bevels spiral angles: positive where the teeth turn about the half
+  /// axis in the positive sense as they lead away from the apex.
   double tailHelix = 0;
   double headHelix = 0;
 
@@ -50,6 +52,13 @@ struct MeshGeometry {
   [[nodiscard]] double tailPitchRadius() const;
   [[nodiscard]] double headPitchRadius() const;
 };
+
+/// Is the half axis of the tail's gear, from the apex of an intersecting pair towards the gear, along (+1) or
+/// against (-1) its line's direction? The two half axes point the way of the pitch point; where it does not
+/// lie between them, the larger gear is a ring and its half axis points the other way.
+/// @pre directions of length 1
+[[nodiscard]] int tailHalfAxis(const MeshGeometry& geometry, const Vector3& tailDirection,
+                               const Vector3& headDirection);
 
 /// The unit vector or its opposite: the one whose first component that is not 0 is positive.
 [[nodiscard]] Vector3 orientedNormal(const Vector3& direction);

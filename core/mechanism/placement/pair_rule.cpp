@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/mechanism/placement/hypoid.h"
+
 namespace geargraph {
 namespace {
 
@@ -71,6 +73,12 @@ Rational wormDistance(const GearMesh& mesh, const Rational& module) {
   return axial * Rational(10 + std::max(mesh.tailTeeth, mesh.headTeeth), 2);
 }
 
+/// A fifth of the gear's radius, as in axles.
+Rational hypoidDistance(const GearMesh& mesh, const Rational& module) {
+  const Rational own = mesh.module ? mesh.module->exact() : module;
+  return own * Rational(std::max(mesh.tailTeeth, mesh.headTeeth), 10);
+}
+
 }  // namespace
 
 constexpr PairRule kExternalRule{pointBetweenParallels<false, double>, exactPointBetweenParallels<false>};
@@ -80,14 +88,17 @@ constexpr PairRule kBeltRule{.radii = runningRadii};
 constexpr PairRule kPinsRule{.radii = pinRadii};
 constexpr PairRule kRackRule{.crossedDistance = rackDistance};
 constexpr PairRule kScrewRule{};
-constexpr PairRule kCrossedHelicalRule{.crossed = crossedHelicalWheels,
-                                       .crossedDistance = crossedHelicalDistance};
-constexpr PairRule kWormRule{.crossed = wormWheels, .crossedDistance = wormDistance};
+constexpr PairRule kCrossedHelicalRule{
+    .placeSkew = placeCrossing, .crossed = crossedHelicalWheels, .crossedDistance = crossedHelicalDistance};
+constexpr PairRule kWormRule{
+    .placeSkew = placeCrossing, .crossed = wormWheels, .crossedDistance = wormDistance};
+constexpr PairRule kFaceGearRule{bevelPoint, exactBevelPoint};
+constexpr PairRule kHypoidRule{.placeSkew = placeHypoid, .crossedDistance = hypoidDistance};
 
 KindTable<MeshKind, PairRule>& pairRules() {
-  static constinit KindTable<MeshKind, PairRule> table(&kExternalRule, &kInternalRule, &kBevelRule,
-                                                       &kBeltRule, &kPinsRule, &kRackRule, &kScrewRule,
-                                                       &kCrossedHelicalRule, &kWormRule);
+  static constinit KindTable<MeshKind, PairRule> table(
+      &kExternalRule, &kInternalRule, &kBevelRule, &kBeltRule, &kPinsRule, &kRackRule, &kScrewRule,
+      &kCrossedHelicalRule, &kWormRule, &kFaceGearRule, &kHypoidRule);
   return table;
 }
 

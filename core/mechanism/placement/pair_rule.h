@@ -31,7 +31,9 @@ struct PairRule {
   /// Of wheels that do not touch, instead of a pitch point: how far the line of action passes from the axes
   /// of tail and head, which are `distance` apart. Their ratio is that of the weights.
   std::pair<double, double> (*radii)(const GearMesh& mesh, double distance) = nullptr;
-  /// On skew axes, instead of a pitch point: the wheels that the distance and the crossing angle leave.
+  /// On skew axes, instead of a pitch point: as placeCrossing(), and the wheels on cylinders that the
+  /// distance and the crossing angle leave.
+  SkewPlacer placeSkew = nullptr;
   CrossedRule crossed = nullptr;
   /// On skew axes: how far apart they are put where the document leaves that open, crossing at right angles.
   /// `module`: of the train.
@@ -51,5 +53,7 @@ extern const PairRule kRackRule;
 extern const PairRule kScrewRule;
 extern const PairRule kCrossedHelicalRule;
 extern const PairRule kWormRule;
+extern const PairRule kFaceGearRule;
+extern const PairRule kHypoidRule;
 
 }  // namespace geargraph

@@ -114,7 +114,14 @@ class MeshLocator {
       return true;
     }
     if (hasSkewAxes(saidKind(element))) {
-      if (!placeCrossing(m_mechanism, mesh, pair, position, geometry, m_placement.diagnostics)) return false;
+      SkewChoice choice;
+      if (pairKind(saidKind(element)).isOffset) {
+        choice.sides = m_sides.choose(mesh, word, pair);
+        choice.module = element.module ? element.module->value() : m_module;
+      }
+      if (!pairRule(saidKind(element))
+               .placeSkew(m_mechanism, mesh, pair, position, choice, geometry, m_placement.diagnostics))
+        return false;
       if (geometry.derived) geometry.pitchPoint = tail.point + geometry.tailToPitch;
       return true;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/presentation/brep/brep_builder.h"
 #include "core/presentation/brep/patch.h"
@@ -133,8 +134,25 @@ WheelBrep coneWheel(const GearSpec& spec, double deviation) {
   return Cone(spec, deviation).take();
 }
 
+/// Its surfaces would be no cones, but turned from section to section.
+const char* refuseSpiral(const GearSpec& spec) {
+  return spec.helixAngle == 0
+             ? ""
+             : toTranslate("The spiral teeth of gear %1 have no exact faces here; STL and GLB have them.");
+}
+
+const char* refuseFace(const GearSpec& /*spec*/) {
+  return toTranslate("The teeth of face gear %1 have no exact faces here; STL and GLB have them.");
+}
+
+WheelBrep coneBlank(const GearSpec& spec, double /*deviation*/) {
+  return {revolvedBrep(wheelOutline(spec)), 0};
+}
+
 }  // namespace
 
-constexpr WheelCad kConeCad{coneWheel};
+constexpr WheelCad kConeCad{coneWheel, refuseSpiral};
+constexpr WheelCad kConeBlankCad{coneBlank};
+constexpr WheelCad kNoCad{coneBlank, refuseFace};
 
 }  // namespace geargraph

@@ -48,8 +48,13 @@ void addBodyBelow(BrepBuilder& builder, const GearSpec& spec, const std::vector<
 
 KindTable<GearKind, WheelCad>& wheelCads() {
   static constinit KindTable<GearKind, WheelCad> table(&kTwistedCad, &kTwistedCad, &kConeCad, &kSmoothCad,
-                                                       &kTwistedCad, &kThroatCad);
+                                                       &kTwistedCad, &kThroatCad, &kNoCad, &kConeBlankCad);
   return table;
+}
+
+const char* noExactFaces(const GearSpec& spec) {
+  const auto refuse = wheelCads()[spec.kind].refuse;
+  return refuse != nullptr ? refuse(spec) : "";
 }
 
 WheelBrep wheelBrep(const GearSpec& spec, double deviation) {

@@ -16,15 +16,19 @@ struct WheelBrep {
 
 /// The solid of gearSolid() with planes, cylinders and cones where it has them; flanks, fillets, and all
 /// surfaces of a throat are splines within `deviation` modules (of a worm: axial ones).
-/// @pre specDiagnostics(spec) is empty. Cost: O(teeth)
+/// @pre specDiagnostics(spec) is empty, and so is noExactFaces(spec). Cost: O(teeth)
 [[nodiscard]] WheelBrep wheelBrep(const GearSpec& spec, double deviation);
 
 /// What CAD knows of a kind of wheel. `deviation` is a length.
 struct WheelCad {
   WheelBrep (*make)(const GearSpec& spec, double deviation) = nullptr;
+  /// Why this wheel has no exact faces, marked by toTranslate(), %1: its name; null, or empty: it has.
+  const char* (*refuse)(const GearSpec& spec) = nullptr;
 };
 
 [[nodiscard]] KindTable<GearKind, WheelCad>& wheelCads();
+/// WheelCad::refuse; empty: the wheel has exact faces.
+[[nodiscard]] const char* noExactFaces(const GearSpec& spec);
 
 class BrepBuilder;
 /// The end planes of teeth on a cylinder, of which these are the outlines seen from above, and the body
@@ -36,5 +40,7 @@ extern const WheelCad kTwistedCad;  ///< its section, turned along the axis
 extern const WheelCad kConeCad;
 extern const WheelCad kSmoothCad;
 extern const WheelCad kThroatCad;
+extern const WheelCad kConeBlankCad;  ///< a cone without teeth
+extern const WheelCad kNoCad;         ///< none: teeth that are meshes only
 
 }  // namespace geargraph

@@ -10,7 +10,7 @@
 namespace geargraph {
 
 bool isDrawnPlane(const GearSpec& spec) {
-  return isToothed(spec) && !isConical(spec);
+  return isToothed(spec) && !isConical(spec) && !isFaceGear(spec);
 }
 
 std::vector<ArcVertex> toothOutline(const GearSpec& spec, double deviation) {

@@ -25,7 +25,7 @@ Rational relativeRate(const PlacedTrain& placed, std::span<const Rational> rates
 
 /// The circles where they are not what module, teeth, shift, addendum and dedendum say.
 void setCircles(AssemblyGear& gear, const GearSpec& spec) {
-  if (isConical(spec) || !isToothed(spec)) return;
+  if (isConical(spec) || isFaceGear(spec) || !isToothed(spec)) return;
   const HalfTooth tooth = toothOf(spec, kScreenTolerance);
   const double pitch = 0.5 * spec.teeth;
   const double outward = isRing(spec) ? -1 : 1;

@@ -211,6 +211,8 @@ std::optional<KitFailure> checkTrain(const KitBuilder& kit) {
         translated("A link turns on a pin across the axis of another, for which the kit has no part."));
   for (const TrainGear& gear : kit.train.gears) {
     if (!isToothed(gear.spec)) return failure(translated("The wheel %1 has no teeth.", {gear.name}));
+    if (isFaceGear(gear.spec) || (isConical(gear.spec) && gear.spec.helixAngle != 0))
+      return failure(translated("Spiral teeth and face gears are not printed: gear %1.", {gear.name}));
     if (isConical(gear.spec) && (gear.spec.coneAngle > kLargestCone || gear.spec.coneAngle < kSmallestCone)) {
       return failure(translated(
           "The bevel %1 has so flat or so steep a cone that it does not print on a face.", {gear.name}));

@@ -129,7 +129,7 @@ std::string_view valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return kTeeth;
     case MemberValue::meshKind:
-      return "external, internal, bevel, belt, pins, rack, screw, crossedHelical or worm";
+      return "external, internal, bevel, belt, pins, rack, screw, crossedHelical, worm, faceGear or hypoid";
     case MemberValue::jointKind:
       return "turning or sliding";
     case MemberValue::hand:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/machine/teeth/wheel_kind.h"
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/section_symbols.h"
@@ -49,6 +50,7 @@ class SectionBuilder {
   void addShaft(const SheetShaft& shaft);
   void addWheel(std::size_t w);
   void addHelix(const SheetWheel& wheel, double side);
+  void addSpiral(const SheetWheel& wheel, double side);
   void addFrame(const SheetWheel& wheel);
   void addRingCarrier(const RingCarrierSymbol& ringCarrier);
   void addWall(const SheetWall& wall);
@@ -144,12 +146,29 @@ void SectionBuilder::addWheel(std::size_t w) {
     if (own || wheelSymbol(wheel.kind).frame != FrameSymbol::behind) {
       line(wheel.link, on.at(wheel.at, side * foot), on.at(wheel.at, side * wheel.radius), kLinkWidth);
     }
-    if (wheel.hand != 0) addHelix(wheel, side);
+    if (wheel.hand != 0) wheelKind(wheel.kind).isConical ? addSpiral(wheel, side) : addHelix(wheel, side);
   }
   anchor(m_section.links[wheel.link], on.at(wheel.at, (wheel.radius + lane) / 2));
   anchor(m_section.links[wheel.link], on.at(wheel.barTo.x, wheel.barTo.y));
   m_hold = 0;
   if (!own) addFrame(wheel);
+}
+
+/// Spiral teeth: a bent stroke behind the pitch line of the cone, which leads away from it outwards where
+/// they are right-hand.
+void SectionBuilder::addSpiral(const SheetWheel& wheel, double side) {
+  constexpr double kAway = 6, kLean = 3.5, kBow = 2;
+  constexpr int kPieces = 8;
+  const SheetAxis& on = axis(wheel.axis);
+  Polyline stroke{{}, false};
+  for (int i = 0; i <= kPieces; ++i) {
+    const double part = static_cast<double>(i) / kPieces;  // from the large end
+    const double depth = kAway + wheel.hand * (kLean * (1 - 2 * part) + kBow * 4 * part * (1 - part));
+    const CanvasPoint at = between(wheel.barFrom, wheel.barTo, part) - depth * wheel.outward;
+    stroke.points.push_back(on.at(at.x, side * at.y));
+  }
+  put(idOf(wheel.link), MarkRole::line, kSymbolDepth,
+      Stroke{std::move(stroke), tintOf(wheel.link), 1.1, Dash::solid});
 }
 
 /// The direction of helical teeth as seen from the front: three oblique strokes beside the pitch line, on the

@@ -143,12 +143,13 @@ class Unfolder {
     });
   }
 
-  /// Do wheels on these two skew axes mesh?
+  /// Do wheels on cylinders mesh on these two skew axes? Cones are drawn as those of a bevel pair.
   [[nodiscard]] bool crossMesh(int c, int d) const {
     return std::any_of(m_train.pairs.begin(), m_train.pairs.end(), [&](const TrainPair& pair) {
       const int a = m_train.wheels[pair.tail].axisGroup;
       const int b = m_train.wheels[pair.head].axisGroup;
-      return hasSkewAxes(pair.kind) && ((a == c && b == d) || (a == d && b == c));
+      return hasSkewAxes(pair.kind) && !pairKind(pair.kind).isOffset &&
+             ((a == c && b == d) || (a == d && b == c));
     });
   }
 

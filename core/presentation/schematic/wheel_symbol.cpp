@@ -38,6 +38,19 @@ void setSlopingBar(SheetWheel& wheel, const TrainWheel& from, const SheetAxis& a
   wheel.radius = middle.y;
 }
 
+/// A line across the axis, where the teeth of a face gear are.
+void setUprightBar(SheetWheel& wheel, const TrainWheel& from, const SheetAxis& axis, double scale) {
+  const double way = dot(asTriple(from.axis), axis.direction) < 0 ? -1 : 1;
+  wheel.outward = {-way, 0};
+  const double outer = nominalTipRadius(from.spec) * scale;
+  const double face = std::min(std::max(from.spec.faceWidth * scale, 9.0), 0.5 * outer);
+  const double level = originOf(from, axis, scale) + way * kBarGap;
+  wheel.barFrom = {level, outer};
+  wheel.barTo = {level, outer - face};
+  wheel.at = level;
+  wheel.radius = outer - face / 2;
+}
+
 double atOrigin(const TrainWheel& /*from*/) {
   return 0;
 }
@@ -51,11 +64,13 @@ double fromApex(const TrainWheel& from) {
 constexpr WheelSymbol kDiscSymbol{.setBar = setLevelBar, .away = atOrigin};
 constexpr WheelSymbol kRingSymbol{
     .frame = FrameSymbol::rim, .side = 1, .setBar = setLevelBar, .away = atOrigin};
+constexpr WheelSymbol kFaceSymbol{.frame = FrameSymbol::behind, .setBar = setUprightBar, .away = atOrigin};
 constexpr WheelSymbol kConeSymbol{.frame = FrameSymbol::behind, .setBar = setSlopingBar, .away = fromApex};
 
 KindTable<GearKind, WheelSymbol>& wheelSymbols() {
   static constinit KindTable<GearKind, WheelSymbol> table(&kDiscSymbol, &kRingSymbol, &kConeSymbol,
-                                                          &kDiscSymbol, &kDiscSymbol, &kDiscSymbol);
+                                                          &kDiscSymbol, &kDiscSymbol, &kDiscSymbol,
+                                                          &kFaceSymbol, &kConeSymbol);
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/foundations/base/translation.h"
 #include "core/machine/solids/spec_diagnostics.h"
 #include "core/presentation/brep/body_brep.h"
 #include "core/presentation/brep/brep_builder.h"
@@ -71,6 +72,11 @@ std::variant<StepModel, StepFailure> stepModel(const Mechanism& mechanism, const
   };
   for (const TrainGear& gear : train.gears) {
     if (isAsked(gear)) append(wrong, specDiagnostics(gear.spec));
+  }
+  for (const TrainGear& gear : train.gears) {
+    if (!isAsked(gear)) continue;
+    if (const char* const why = noExactFaces(gear.spec); *why != 0)
+      wrong.push_back({Code::teethGeometry, translated(why, {gear.name}), {}, {}, 0, 0});
   }
   if (!wrong.empty()) return StepFailure{StepFailure::Kind::gears, std::move(wrong)};
   Assembler assembler(mechanism, millimetres, colour);

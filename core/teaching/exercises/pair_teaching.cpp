@@ -96,12 +96,36 @@ constexpr PairTeaching kCrossedTeaching{
         toTranslate("Mesh %1 is between axes that cross: the hands of its teeth, each gear seen along its "
                     "own axis, let them turn against each other, so that f is %2.")};
 
+constexpr PairTeaching kFaceTeaching{
+    .signMistake = "face-gear-sign",
+    .signInRow = toTranslate(
+        "The sign of face gear mesh %1 follows from where its pitch point is, seen from both axes."),
+    .signInTable =
+        toTranslate("The sign of face gear mesh %1 follows from its pitch point, seen from both axes."),
+    .sameWay = toTranslate("Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own "
+                           "axis, they turn the same way, so that f is %2."),
+    .againstEachOther =
+        toTranslate("Mesh %1 is a face gear and its pinion: seen from the carrier, each along its own axis, "
+                    "they turn against each other, so that f is %2.")};
+
+constexpr PairTeaching kHypoidTeaching{
+    .signMistake = "hypoid-sign",
+    .signInRow = toTranslate("The sign of hypoid mesh %1 follows from the half axes beside which its pitch "
+                             "point is, as if the axes met."),
+    .signInTable =
+        toTranslate("The sign of hypoid mesh %1 follows from the half axes beside its pitch point."),
+    .sameWay = toTranslate("Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its "
+                           "gears turn the same way, so that f is %2."),
+    .againstEachOther = toTranslate(
+        "Mesh %1 is a hypoid mesh: seen from the carrier, each along its own axis, its gears turn "
+        "against each other, so that f is %2.")};
+
 }  // namespace
 
 KindTable<MeshKind, PairTeaching>& pairTeachings() {
   static constinit KindTable<MeshKind, PairTeaching> table(
       &kExternalTeaching, &kInternalTeaching, &kBevelTeaching, &kBeltTeaching, &kPinsTeaching, &kRackTeaching,
-      &kScrewTeaching, &kCrossedTeaching, &kCrossedTeaching);
+      &kScrewTeaching, &kCrossedTeaching, &kCrossedTeaching, &kFaceTeaching, &kHypoidTeaching);
   return table;
 }
 

@@ -8,14 +8,16 @@
 namespace geargraph {
 namespace {
 
-/// Perpendicular to the pitch line in the plane of the axes, towards the axis of the smaller gear.
+/// Perpendicular to the pitch line in the plane of the axes (of a face gear along the radius of its pinion),
+/// towards the axis of the smaller gear.
 Vector3 towardsSmaller(const Placement& placement, const MeshGeometry& mesh) {
   const Vector3& tail = placement.lineOfClass(mesh.tailClass).direction;
   const Vector3& head = placement.lineOfClass(mesh.headClass).direction;
   const Vector3 pitchLine =
       (static_cast<double>(mesh.sign) * mesh.headTeeth) * tail - static_cast<double>(mesh.tailTeeth) * head;
-  const Vector3 across = unit(cross(mesh.normal, pitchLine));
   const bool isTail = std::abs(mesh.tailRadius) <= std::abs(mesh.headRadius);
+  const Vector3 across =
+      unit(cross(mesh.normal, pairKind(mesh.kind).hasFace ? (isTail ? tail : head) : pitchLine));
   const Vector3& axis = isTail ? tail : head;
   const Vector3 fromLine = isTail ? mesh.tailToPitch : mesh.tailToPitch - mesh.tailToHead;
   const Vector3 towards = dot(fromLine, axis) * axis - fromLine;
@@ -50,6 +52,27 @@ void pushAcross(const Placement& placement, const MeshGeometry& mesh, double pre
   const double along = dot(inPlane, axis);
   force.axial = std::abs(along);
   force.axialDirection = (along < 0 ? -1.0 : 1.0) * axis;
+  force.tangential *= std::cos(mesh.tailHelix);
+}
+
+/// A hypoid: across the teeth in its pitch plane, and apart along the normal of that. Its parts are told as
+/// the tail's gear bears them, along the line of its cone. `force.tangential` is that along e_c.
+void pushCones(const Placement& placement, const MeshGeometry& mesh, double pressureAngle,
+               ToothForce& force) {
+  const Vector3& axis = placement.lineOfClass(mesh.tailClass).direction;
+  const Vector3& other = placement.lineOfClass(mesh.headClass).direction;
+  const Vector3 fromHead = mesh.tailToPitch - mesh.tailToHead;
+  const Vector3 tail = unit(cross(axis, mesh.tailToPitch));
+  const Vector3 normal = unit(cross(tail, cross(other, fromHead)));
+  const Vector3 towardsHead = dot(fromHead, other) * other - fromHead;
+  const Vector3 inPlane = force.tangential * mesh.normal;
+  force.separating = std::abs(force.tangential) * std::tan(pressureAngle);
+  force.direction = dot(normal, towardsHead) < 0 ? -1.0 * normal : normal;
+  force.force = inPlane + force.separating * force.direction;
+  const Vector3 line = cross(normal, tail);
+  const double along = dot(inPlane, line);
+  force.axial = std::abs(along);
+  force.axialDirection = (along < 0 ? -1.0 : 1.0) * line;
   force.tangential *= std::cos(mesh.tailHelix);
 }
 
@@ -212,6 +235,16 @@ class ForceSum {
   std::uint64_t m_next = 1;
 };
 
+/// Along which helical teeth push: the axis of the tail's gear; of a spiral bevel the line where the cones
+/// touch, the way in which that gear's half axis leads along the axis.
+Vector3 helixLine(const Placement& placement, const MeshGeometry& mesh) {
+  const Vector3& tail = placement.lineOfClass(mesh.tailClass).direction;
+  if (!hasIntersectingAxes(mesh.kind)) return tail;
+  const Vector3& head = placement.lineOfClass(mesh.headClass).direction;
+  const Vector3 apex = apexOf<double>({{0, 0, 0}, tail, mesh.tailToHead, head, 1, 1});
+  return static_cast<double>(tailHalfAxis(mesh, tail, head)) * unit(mesh.tailToPitch - apex);
+}
+
 }  // namespace
 
 Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components) {
@@ -247,6 +280,10 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
       pullAlongStrand(placement, geometry, force);
       continue;
     }
+    if (pairKind(geometry.kind).isOffset) {
+      pushCones(placement, geometry, pressureAngles[at], force);
+      continue;
+    }
     if (hasSkewAxes(geometry.kind)) {
       pushAcross(placement, geometry, pressureAngles[at], force);
       continue;
@@ -257,7 +294,7 @@ std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicM
     force.force = force.tangential * geometry.normal + force.separating * force.direction;
     if (!helixAngles.empty() && helixAngles[at] != 0) {
       const double along = -force.tangential * (geometry.tailRadius < 0 ? -1 : 1) * std::tan(helixAngles[at]);
-      const Vector3& axis = placement.lineOfClass(geometry.tailClass).direction;
+      const Vector3 axis = helixLine(placement, geometry);
       force.axial = std::abs(along);
       force.axialDirection = (along < 0 ? -1.0 : 1.0) * axis;
       force.force = force.force + along * axis;

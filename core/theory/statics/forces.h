@@ -34,11 +34,13 @@ struct ToothForce {
 /// F tan a sin d follow.
 ///
 /// a_c is along the axes, such that the force stands across helical teeth: a right-hand gear that drives is
-/// pushed the way of its angular velocity. It does no work.
+/// pushed the way of its angular velocity. It does no work. Of spiral bevels a_c is along the line where the
+/// cones touch, with the spiral angle for beta_w; a face gear pushes its pinion away along its radius.
 ///
 /// Gears on skew axes: F_c e_c + |F_c| tan(alpha_n) N with e_c across the teeth and N the common
 /// perpendicular; its parts are told as the tail's gear bears them: tangential F_c cos(beta_i), axial F_c
-/// sin(beta_i).
+/// sin(beta_i). Of a hypoid N is the normal of the pitch plane, and what is told as axial is along the line
+/// of the tail gear's cone.
 ///
 /// Wheels that do not touch have no separating force. Of a belt that can only pull the strand on the other
 /// side of the line of centres takes what would push: the tight strand alone, without pretension, F = M / r.

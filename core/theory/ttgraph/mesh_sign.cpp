@@ -50,7 +50,25 @@ std::optional<int> signOfIntersecting(const MeshPose& pose, const AxisLine& tail
   return (tailShare > 0) == (headShare > 0) ? -1 : 1;
 }
 
+/// On which side of the common perpendicular's foot the pitch point lies, along either axis.
+std::optional<int> signOfHalfAxes(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  if (pose.pitchPoint == nullptr) return std::nullopt;
+  const double cosine = dot(tail.direction, head.direction);
+  const double sineSquared = 1 - cosine * cosine;
+  const Vector3 apart = head.point - tail.point;
+  const double toTail = dot(apart, tail.direction);
+  const double toHead = dot(apart, head.direction);
+  const double tailFoot = (toTail - cosine * toHead) / sineSquared;
+  const double headFoot = (cosine * toTail - toHead) / sineSquared;
+  const double onTail = dot(*pose.pitchPoint - tail.point, tail.direction) - tailFoot;
+  const double onHead = dot(*pose.pitchPoint - head.point, head.direction) - headFoot;
+  if (onTail == 0 || onHead == 0) return std::nullopt;
+  return terminalRules()[*pose.kind].alongHalfAxes(onTail > 0 ? 1 : -1, onHead > 0 ? 1 : -1);
+}
+
 std::optional<int> signOfSkew(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  if (pose.kind && terminalRules()[*pose.kind].alongHalfAxes != nullptr)
+    return signOfHalfAxes(pose, tail, head);
   if (!pose.kind || !pose.helices) return std::nullopt;
   const Vector3 across = cross(tail.direction, head.direction);
   const double sine = dot(across, head.point - tail.point) < 0 ? -length(across) : length(across);

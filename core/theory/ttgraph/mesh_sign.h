@@ -33,7 +33,9 @@ struct MeshPose {
 ///
 /// Skew axes: with Sigma the angle from the tail's direction to the head's about the common perpendicular
 /// from tail to head, the teeth run the same way where they touch if beta_i + beta_j + Sigma is a whole
-/// number of half turns; an even one is -1, an odd one +1.
+/// number of half turns; an even one is -1, an odd one +1. Of cones (hypoid) the half axes decide, seen from
+/// the feet of the common perpendicular, beside which the pitch point lies: -1 if both are along or both
+/// against their axes' directions.
 ///
 /// A side that slides: with u the axis of the pinion, rho the way from it to the pitch point and d the
 /// direction of the slide, +1 where d goes with u x rho (and so with the motion of the pinion's teeth there);

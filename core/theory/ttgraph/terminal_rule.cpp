@@ -37,6 +37,11 @@ std::optional<int> asNutComesBack(const SlidePose& pose) {
   return isRight == (dot(pose.axis, pose.slide) > 0) ? -1 : 1;
 }
 
+/// As bevels: between two half axes that point alike the gears turn against each other.
+std::optional<int> asHalfAxesSay(int tail, int head) {
+  return -tail * head;
+}
+
 constexpr TerminalRule kExternalTerminals{againstEachOther};
 constexpr TerminalRule kInternalTerminals{theSameWay};
 constexpr TerminalRule kBevelTerminals{asThePointSays};
@@ -45,13 +50,15 @@ constexpr TerminalRule kPinTerminals{theSameWay};
 constexpr TerminalRule kRackTerminals{.alongParallels = asThePointSays, .alongSlide = asPinionRolls};
 constexpr TerminalRule kScrewTerminals{.alongParallels = asThePointSays, .alongSlide = asNutComesBack};
 constexpr TerminalRule kCrossedTerminals{asThePointSays, asHandsSay};
+constexpr TerminalRule kHypoidTerminals{.alongParallels = asThePointSays, .alongHalfAxes = asHalfAxesSay};
 
 }  // namespace
 
 KindTable<MeshKind, TerminalRule>& terminalRules() {
   static constinit KindTable<MeshKind, TerminalRule> table(
       &kExternalTerminals, &kInternalTerminals, &kBevelTerminals, &kOpenStrandTerminals, &kPinTerminals,
-      &kRackTerminals, &kScrewTerminals, &kCrossedTerminals, &kCrossedTerminals);
+      &kRackTerminals, &kScrewTerminals, &kCrossedTerminals, &kCrossedTerminals, &kBevelTerminals,
+      &kHypoidTerminals);
   return table;
 }
 

@@ -27,6 +27,9 @@ struct TerminalRule {
   /// For a side that turns and one that slides: +1 where a positive speed of the one goes with a positive
   /// speed of the other.
   std::optional<int> (*alongSlide)(const SlidePose& pose) = nullptr;
+  /// For skew axes whose gears are cones instead: from the half axes, seen from the feet of the common
+  /// perpendicular, beside which the pitch point lies, +1 along the axis and -1 against it.
+  std::optional<int> (*alongHalfAxes)(int tail, int head) = nullptr;
 };
 
 [[nodiscard]] KindTable<MeshKind, TerminalRule>& terminalRules();

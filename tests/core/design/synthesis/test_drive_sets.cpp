@@ -30,6 +30,8 @@ class DriveSetsTest : public QObject {
 
  private slots:
   void drivesHaveTheirRatios() {
+    QCOMPARE(driven(faceDrive(18, 24)).abs(), Rational(3, 4));
+    QCOMPARE(driven(hypoidAxle(10, 41)).abs(), Rational(10, 41));
     const Rational worm = driven(wormStage({2, 31}));
     QCOMPARE(worm.abs(), Rational(2, 31));
     QCOMPARE(driven(wormStage({2, 31, Hand::left})), -worm);
@@ -49,6 +51,8 @@ class DriveSetsTest : public QObject {
   }
 
   void impossibleNumbersAreRejected() {
+    QCOMPARE(faceDrive(20, 20).error().front().detail, Detail::teethAgainstRadii);
+    QCOMPARE(hypoidAxle(41, 10).error().front().detail, Detail::teethAgainstRadii);
     QCOMPARE(wormStage({9, 40}).error().front().detail, Detail::wormTeeth);
     QCOMPARE(wormStage({5, 5}).error().front().detail, Detail::wormTeeth);
     QCOMPARE(beltStage({20, 40, Number(0)}).error().front().detail, Detail::beltGeometry);
