@@ -87,9 +87,10 @@ void WheelFinder::addPair(MeshOrdinal mesh, const MeshGeometry& geometry) {
   TrainWheel b;
   if (pairKind(geometry.kind).hasFace) {
     const auto wheelAt = [&](const WheelSide& side, const WheelSide& partner) {
-      return side.teeth > partner.teeth
-                 ? faceGear(side, geometry, partner.teeth)
-                 : parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partner.teeth));
+      if (side.teeth > partner.teeth) return faceGear(side, geometry, partner.teeth);
+      TrainWheel pinion = parallelWheel(side, geometry, wheelOf(geometry.kind, side.teeth, partner.teeth));
+      pinion.spec.module = 2 * side.radius / side.teeth;
+      return pinion;
     };
     a = wheelAt(tail, head);
     b = wheelAt(head, tail);
