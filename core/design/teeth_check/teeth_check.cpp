@@ -210,14 +210,49 @@ class TeethChecker {
            std::find(m_wish.kept.begin(), m_wish.kept.end(), name) != m_wish.kept.end();
   }
 
+  /// The teeth of a wheel that the basic rack of ISO 53 cuts just without undercut: its straight flank ends
+  /// where the wheel's flank begins. 0 where no rack cuts it. In the transverse section, in its modules.
+  [[nodiscard]] double fewestUncut(int end, const std::vector<int>& ends) const {
+    const MeshGeometry& geometry = *m_placement.meshes[end / 2];
+    const PairKind& kind = pairKind(geometry.kind);
+    if (!kind.touches || kind.axes != LinePosition::parallel) return 0;
+    const double lean = std::cos(end % 2 == 0 ? geometry.tailHelix : geometry.headHelix);
+    const double angle = std::atan(std::tan(normalAngle(ends)) / lean);
+    const double sine = std::sin(angle);
+    const double half = std::numbers::pi / 2;
+    const double depth = 1.25 * lean;
+    const double thickness = half - backlash(end) / 2;
+    // Two corners of the rack's tooth share half a pitch, less the flanks' slope.
+    const double space = ((2 * half - thickness) / 2 * std::cos(angle) - depth * sine) / (1 - sine);
+    const double corner = std::min(0.38 * lean, std::max(space, 0.0));
+    return 2 * (depth - corner * (1 - sine)) / (sine * sine);
+  }
+  [[nodiscard]] double normalAngle(const std::vector<int>& ends) const {
+    double degrees = 20;
+    if (m_mechanism.gearDefaults && m_mechanism.gearDefaults->pressureAngle)
+      degrees = m_mechanism.gearDefaults->pressureAngle->value();
+    for (const int end : ends) {
+      const auto& stated = m_mechanism.gearMeshes[end / 2].pressureAngle;
+      if (!stated) continue;
+      degrees = stated->value();
+      break;
+    }
+    return degrees * std::numbers::pi / 180;
+  }
+  [[nodiscard]] double backlash(int end) const {
+    const GearMesh& mesh = m_mechanism.gearMeshes[end / 2];
+    const auto& id = end % 2 == 0 ? mesh.tailWheel : mesh.headWheel;
+    const Wheel* const wheel = id ? m_mechanism.find(*id) : nullptr;
+    if (wheel != nullptr && wheel->backlash) return wheel->backlash->value();
+    const auto& defaults = m_mechanism.gearDefaults;
+    return defaults && defaults->backlash ? defaults->backlash->value() : 0.04;
+  }
+
   void setDomains() {
     for (const TeethCertificate::Wheel& wheel : m_claim.wheels) {
       const auto any = [&](const auto& is) { return std::any_of(wheel.ends.begin(), wheel.ends.end(), is); };
       const bool isRing = any([&](int end) { return isRingEnd(end); });
       const bool isKept = any([&](int end) { return isKeptEnd(end); });
-      const bool isBevel = any([&](int end) {
-        return pairKind(m_placement.meshes[end / 2]->kind).axes != LinePosition::parallel;
-      });
       std::set<int> counts;
       if (isKept) {
         counts.insert(drawn(wheel.ends.front()));
@@ -231,7 +266,10 @@ class TeethChecker {
       }
       m_domains.emplace_back(counts.begin(), counts.end());
       m_isKept.push_back(isKept ? 1 : 0);
-      m_mayUndercut.push_back(!isKept && !isRing && !isBevel ? 1 : 0);
+      double fewest = 0;
+      if (!isKept && !isRing)
+        for (const int end : wheel.ends) fewest = std::max(fewest, fewestUncut(end, wheel.ends));
+      m_fewestUncut.push_back(fewest);
     }
   }
 
@@ -375,7 +413,7 @@ class TeethChecker {
     count(4);
     if (!m_wish.allowsUndercut) {
       for (std::size_t wheel = 0; wheel < m_teeth.size(); ++wheel)
-        if (m_mayUndercut[wheel] != 0 && isUndercut(m_teeth[wheel])) return;
+        if (m_teeth[wheel] < m_fewestUncut[wheel] - 1e-9) return;
     }
     count(5);
     for (std::size_t i = 0; i < m_claim.ratios.size(); ++i) {
@@ -389,12 +427,6 @@ class TeethChecker {
     }
     count(6);
     remember();
-  }
-
-  [[nodiscard]] bool isUndercut(int teeth) const {
-    const bool isGiven = m_mechanism.gearDefaults && m_mechanism.gearDefaults->pressureAngle;
-    const double degrees = isGiven ? m_mechanism.gearDefaults->pressureAngle->value() : 20;
-    return teeth * std::pow(std::sin(degrees * std::numbers::pi / 180), 2) < 2 - 1e-9;
   }
 
   /// Keeps what is as good as the worst of the listed choices, or better.
@@ -459,7 +491,7 @@ class TeethChecker {
   std::vector<int> m_wheelOfEnd;
   std::vector<std::vector<int>> m_domains;
   std::vector<char> m_isKept;
-  std::vector<char> m_mayUndercut;
+  std::vector<double> m_fewestUncut;
   std::vector<std::vector<DistanceCheck>> m_checksAt;
   std::vector<CheckedPlanets> m_planets;
   std::map<int, int> m_stock;

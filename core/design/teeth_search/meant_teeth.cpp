@@ -110,6 +110,17 @@ Expected<MeantTeeth> meantTeeth(const PlacedMechanism& drawn, const TeethWish& w
   return meant;
 }
 
+TeethAnswer meantAnswer(const MeantTeeth& meant, std::size_t most, const std::stop_token& stop) {
+  TeethAnswer answer;
+  answer.problem = meant.problem;
+  answer.found.counts.tried = meant.tried;
+  answer.found.counts.within = answer.found.counts.accepted = static_cast<std::int64_t>(meant.choices.size());
+  for (std::size_t i = 0; i < std::min(most, meant.choices.size()) && !stop.stop_requested(); ++i)
+    answer.choices.push_back(choiceOf(*meant.problem, meant.choices[i].found, stop));
+  answer.found.isComplete = !stop.stop_requested();
+  return answer;
+}
+
 std::string meantTeethJson(const MeantTeeth& meant, std::size_t limit) {
   using Row = JsonWriter::Layout;
   TextSink sink;

@@ -28,6 +28,8 @@ struct MeantTeeth {
 struct MeantTeethOptions {
   int by = 5;      ///< teeth by which a wheel may differ
   int wheels = 3;  ///< that may differ
+
+  friend bool operator==(const MeantTeethOptions&, const MeantTeethOptions&) = default;
 };
 constexpr int kMaxMeantTeeth = 20;
 constexpr int kMaxMeantWheels = 4;
@@ -40,6 +42,11 @@ constexpr int kMaxMeantWheels = 4;
 [[nodiscard]] Expected<MeantTeeth> meantTeeth(const PlacedMechanism& drawn, const TeethWish& wish,
                                               const MeantTeethOptions& options = {},
                                               const std::stop_token& stop = {});
+
+/// The first `most` choices with all that is told of choices for a wish; complete unless `stop` was
+/// requested.
+[[nodiscard]] TeethAnswer meantAnswer(const MeantTeeth& meant, std::size_t most,
+                                      const std::stop_token& stop = {});
 
 /// `geargraph-meant-teeth` (resources/schema/README.md): the first `limit` choices.
 [[nodiscard]] std::string meantTeethJson(const MeantTeeth& meant, std::size_t limit);

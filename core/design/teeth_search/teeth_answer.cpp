@@ -79,28 +79,6 @@ std::vector<int> planetNumbers(const TeethProblem& problem, std::span<const int>
   return numbers;
 }
 
-TeethChoice choiceOf(const TeethProblem& problem, FoundTeeth found, const std::stop_token& stop) {
-  TeethChoice choice;
-  choice.found = std::move(found);
-  const std::vector<int>& teeth = choice.found.teeth;
-  choice.teeth = meshTeethOf(problem, teeth);
-  choice.planets = planetNumbers(problem, teeth);
-  for (const MeshTeeth& each : choice.teeth)
-    choice.hunting.push_back(std::gcd(each.tailTeeth, each.headTeeth) == 1 ? 1 : 0);
-  const double limit = undercutLimit(problem.train);
-  constexpr double kEqual = 1e-9;  // a limit that is whole does not undercut
-  for (std::size_t wheel = 0; wheel < teeth.size(); ++wheel) {
-    const SearchedWheel& of = problem.wheels[wheel];
-    if (!of.isRing && !of.isBevel && teeth[wheel] < limit - kEqual) choice.undercut.push_back(of.name);
-  }
-  if (hasLosses(problem)) {
-    const ChoiceEfficiency efficiency = efficiencyOf(problem, teeth, stop);
-    choice.efficiency = efficiency.forward;
-    choice.backward = efficiency.backward;
-  }
-  return choice;
-}
-
 /// Is there a choice that meets these wishes, and everything else? std::nullopt if `stop` was requested.
 std::optional<bool> canMeet(const TeethProblem& problem, const std::vector<int>& wishes,
                             const TeethSearchOptions& options, const std::stop_token& stop) {
@@ -160,6 +138,26 @@ std::vector<std::string> conflictSentences(const TeethAnswer& answer) {
                                                           {one, wishText(*answer.problem, conflict.back())}));
   }
   return sentences;
+}
+
+TeethChoice choiceOf(const TeethProblem& problem, FoundTeeth found, const std::stop_token& stop) {
+  TeethChoice choice;
+  choice.found = std::move(found);
+  const std::vector<int>& teeth = choice.found.teeth;
+  choice.teeth = meshTeethOf(problem, teeth);
+  choice.planets = planetNumbers(problem, teeth);
+  for (const MeshTeeth& each : choice.teeth)
+    choice.hunting.push_back(std::gcd(each.tailTeeth, each.headTeeth) == 1 ? 1 : 0);
+  for (std::size_t wheel = 0; wheel < teeth.size(); ++wheel) {
+    const SearchedWheel& of = problem.wheels[wheel];
+    if (of.isUndercutWith(teeth[wheel])) choice.undercut.push_back(of.name);
+  }
+  if (hasLosses(problem)) {
+    const ChoiceEfficiency efficiency = efficiencyOf(problem, teeth, stop);
+    choice.efficiency = efficiency.forward;
+    choice.backward = efficiency.backward;
+  }
+  return choice;
 }
 
 Expected<TeethAnswer> teethFor(const PlacedMechanism& drawn, const TeethWish& wish,

@@ -45,6 +45,10 @@ struct TeethAnswer {
                                              const TeethSearchOptions& options = {},
                                              const std::stop_token& stop = {});
 
+/// What there is to know of teeth that meet a wish. Its cost is a statics where the train has losses.
+[[nodiscard]] TeethChoice choiceOf(const TeethProblem& problem, FoundTeeth found,
+                                   const std::stop_token& stop = {});
+
 /// These teeth for every mesh of the document. @pre an entry for each wheel
 [[nodiscard]] std::vector<MeshTeeth> meshTeethOf(const TeethProblem& problem, std::span<const int> teeth);
 

@@ -10,6 +10,7 @@
 #include "core/design/teeth_search/wished_states.h"
 #include "core/foundations/base/disjoint_sets.h"
 #include "core/foundations/base/translation.h"
+#include "core/machine/train/cut_limits.h"
 #include "core/mechanism/kinds/pair_kind.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
@@ -72,6 +73,11 @@ class ProblemMaker {
     return pairKind(m_placement.meshes[end / 2]->kind).isThreaded && drawnTeeth(end) < drawnTeeth(end ^ 1);
   }
 
+  [[nodiscard]] bool isCutByRack(int end) const {
+    const PairKind& kind = pairKind(m_placement.meshes[end / 2]->kind);
+    return kind.touches && kind.axes == LinePosition::parallel && !isRing(end);
+  }
+
   /// Ends of one wheel of the train, and of corresponding wheels of equal planets.
   void makeWheels() {
     const std::size_t ends = 2 * m_mechanism.gearMeshes.size();
@@ -107,13 +113,15 @@ class ProblemMaker {
       SearchedWheel& of = m_problem.wheels[static_cast<std::size_t>(wheel)];
       of.ends.push_back(end);
       of.isRing = of.isRing || isRing(end);
-      of.isBevel = of.isBevel || pairKind(m_placement.meshes[end / 2]->kind).axes != LinePosition::parallel;
       of.isKept = of.isKept || isPinned(m_mechanism.links[linkOf(end)]) ||
                   isKept(endName(m_mechanism, end)) || isWorm(end);
       m_problem.wheelOfEnd[static_cast<std::size_t>(end)] = wheel;
       const int gear = gearOfEnd[static_cast<std::size_t>(end)];
       gears[static_cast<std::size_t>(wheel)].insert(gear);
       if (gear >= 0) m_wheelOfGear[static_cast<std::size_t>(gear)] = wheel;
+      if (gear >= 0 && isCutByRack(end))
+        of.fewestUncut = std::max(
+            of.fewestUncut, fewestTeethUncut(m_mechanism, m_train.wheels[static_cast<std::size_t>(gear)]));
     }
     for (std::size_t wheel = 0; wheel < m_problem.wheels.size(); ++wheel) {
       m_problem.wheels[wheel].copies = static_cast<int>(gears[wheel].size());
@@ -466,12 +474,9 @@ std::optional<Rational> solvedRatio(const TeethProblem& problem, std::size_t rat
   return solveState(problem.train, *model, placement, static_cast<int>(ratio), false)->ratio;
 }
 
-double undercutLimit(const Mechanism& mechanism) {
-  constexpr double kStandardAngle = 20;
-  const bool isGiven = mechanism.gearDefaults && mechanism.gearDefaults->pressureAngle;
-  const double degrees = isGiven ? mechanism.gearDefaults->pressureAngle->value() : kStandardAngle;
-  const double sine = std::sin(degrees * std::numbers::pi / 180);
-  return 2 / (sine * sine);
+bool SearchedWheel::isUndercutWith(int teeth) const {
+  constexpr double kEqual = 1e-9;  // a limit that is whole does not undercut
+  return teeth < fewestUncut - kEqual;
 }
 
 }  // namespace geargraph

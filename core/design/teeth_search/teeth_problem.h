@@ -21,7 +21,11 @@ struct SearchedWheel {
   int copies = 1;           ///< wheels that are one shape
   bool isKept = false;
   bool isRing = false;
-  bool isBevel = false;
+  /// Teeth from which on no rack undercuts it without a profile shift; 0: that is not asked of rings, bevels,
+  /// worms and pulleys.
+  double fewestUncut = 0;
+
+  [[nodiscard]] bool isUndercutWith(int teeth) const;
 };
 
 /// low <= sum of factor * teeth <= high.
@@ -73,8 +77,5 @@ struct TeethProblem {
 /// Cost: an elimination. @pre an entry for each wheel
 [[nodiscard]] std::optional<Rational> solvedRatio(const TeethProblem& problem, std::size_t ratio,
                                                   std::span<const int> teeth);
-
-/// Fewest teeth that a rack does not undercut without a profile shift: 2 / sin^2 of the pressure angle.
-[[nodiscard]] double undercutLimit(const Mechanism& mechanism);
 
 }  // namespace geargraph

@@ -211,8 +211,7 @@ class Search {
         m_options(options),
         m_stop(stop),
         m_best(problem, options.most),
-        m_teeth(problem.wheels.size(), 0),
-        m_undercut(undercutLimit(problem.train)) {
+        m_teeth(problem.wheels.size(), 0) {
     for (const SearchedRatio& ratio : problem.ratios) m_bounds.push_back(boundsOf(ratio.bounds));
     sortConditions();
     for (const int teeth : problem.wish.stock) ++m_stock[teeth];
@@ -380,7 +379,7 @@ class Search {
   }
   [[nodiscard]] bool isUndercut(int wheel) const {
     const SearchedWheel& of = m_problem.wheels[static_cast<std::size_t>(wheel)];
-    return !of.isKept && !of.isRing && !of.isBevel && at(wheel) < m_undercut - 1e-9;
+    return !of.isKept && of.isUndercutWith(at(wheel));
   }
 
   void leaf(const Standing& standing) {
@@ -605,7 +604,6 @@ class Search {
   std::stop_token m_stop;
   BestChoices m_best;
   std::vector<int> m_teeth;
-  double m_undercut;
   std::vector<Bounds> m_bounds;
   std::vector<AtPlace> m_places;
   std::map<int, int> m_stock;

@@ -14,6 +14,7 @@
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/teeth/wheel_kind.h"
+#include "core/machine/train/cut_limits.h"
 #include "core/machine/train/train_wheels.h"
 #include "core/machine/train/wheel_backlash.h"
 
@@ -303,21 +304,37 @@ const Number* statedAngle(const Mechanism& mechanism, const TrainWheel& wheel) {
   return defaults && defaults->pressureAngle ? &*defaults->pressureAngle : nullptr;
 }
 
+/// The measures of the normal section that the document states for its teeth.
+void setSection(const Mechanism& mechanism, TrainWheel& wheel) {
+  if (const Number* const angle = statedAngle(mechanism, wheel))
+    wheel.spec.pressureAngle = angle->value() * std::numbers::pi / 180;
+  wheel.spec.backlashAllowance = backlashOf(mechanism, wheel.id).toDouble() / 2;
+}
+
+void lean(TrainWheel& wheel) {
+  if (const double helix = std::exchange(wheel.spec.helixAngle, 0); helix != 0)
+    wheel.spec = wheelKind(wheel.spec.kind).withHelix(wheel.spec, helix);
+}
+
 }  // namespace
+
+double fewestTeethUncut(const Mechanism& mechanism, const TrainWheel& wheel) {
+  TrainWheel cut = wheel;
+  setSection(mechanism, cut);
+  lean(cut);
+  return fewestTeethWithoutUndercut(cut.spec);
+}
 
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) {
   std::vector<bool> fixed;
   for (TrainWheel& wheel : train.wheels) {
     const Wheel* drawn = wheel.id ? mechanism.find(*wheel.id) : nullptr;
-    if (const Number* const angle = statedAngle(mechanism, wheel))
-      wheel.spec.pressureAngle = angle->value() * std::numbers::pi / 180;
-    wheel.spec.backlashAllowance = backlashOf(mechanism, wheel.id).toDouble() / 2;
+    setSection(mechanism, wheel);
     if (drawn != nullptr && drawn->bore) wheel.spec.bore = drawn->bore->value();
     fixed.push_back(drawn != nullptr && drawn->profileShift.has_value());
     if (fixed.back()) wheel.spec.profileShift = drawn->profileShift->value();
     wheel.spec.body = GearBody::dressed;
-    if (const double helix = std::exchange(wheel.spec.helixAngle, 0); helix != 0)
-      wheel.spec = wheelKind(wheel.spec.kind).withHelix(wheel.spec, helix);
+    lean(wheel);
   }
   setModules(mechanism, train);
   setShifts(train, fixed, stop);

@@ -11,6 +11,8 @@
 #include "core/design/teeth_search/meant_teeth.h"
 #include "core/design/teeth_search/teeth_certificate.h"
 #include "core/design/teeth_search/teeth_json.h"
+#include "core/machine/train/toothed_train.h"
+#include "core/machine/train/train_diagnostics.h"
 #include "core/mechanism/model/pins.h"
 
 using namespace geargraph;
@@ -47,6 +49,19 @@ Mechanism twoPairs() {
   set.mesh(input, counter, 20, 50, MeshKind::external);
   set.mesh(counter, output, 21, 60, MeshKind::external);
   return std::move(set).build();
+}
+
+/// A pair at its standard distance, without profile shifts; degrees.
+Mechanism spurPairOf(int tail, int head, int angle, int helix) {
+  SetSketch set("pair");
+  const int input = set.link(0, "a", "input");
+  const int output = set.link(0, "b", "output");
+  GearMesh& mesh = set.mesh(input, output, tail, head, MeshKind::external);
+  if (helix != 0) mesh.helixAngle = Number(helix);
+  Mechanism train = std::move(set).build();
+  train.gearDefaults.emplace();
+  train.gearDefaults->pressureAngle = Number(angle);
+  return train;
 }
 
 TeethWish wishFor(const Mechanism& mechanism, const std::string& json) {
@@ -290,6 +305,43 @@ class TeethSearchTest : public QObject {
       QCOMPARE(verdict->tried, answer.found.counts.tried);
       QCOMPARE(verdict->within, answer.found.counts.within);
     }
+  }
+
+  /// What is marked is what the drawn teeth are said to be, at every angle and helix; and the checker, which
+  /// has formulas of its own, leaves out the same choices.
+  void undercutIsThatOfTheTeethAsCut() {
+    std::set<int> limits;
+    for (const int angle : {15, 20, 25}) {
+      for (const int helix : {0, 20, 35}) {
+        Mechanism train = spurPairOf(20, 60, angle, helix);
+        const std::string wish =
+            R"({"ratios": [{"drive": "1", "driven": "2", "between": ["-3", "-2"]}], "fewest": 5, "most": 70,
+                "undercut": false})";
+        const TeethAnswer answer = answerFor(train, wish, 5'000);
+        int fewest = 70;
+        for (const TeethChoice& choice : answer.choices) {
+          QVERIFY(choice.undercut.empty());
+          fewest = std::min(fewest, choice.found.teeth[0]);
+        }
+        const auto isUndercut = [&](int teeth) {
+          const PlacedMechanism drawn = spurPairOf(teeth, 3 * teeth, angle, helix);
+          TrainWheels wheels = wheelsOf(drawn, drawn.placement());
+          shapeWheels(drawn, wheels);
+          const Diagnostics found = toothDiagnostics(drawn, toothedTrain(drawn, wheels));
+          return std::any_of(found.begin(), found.end(),
+                             [](const Diagnostic& each) { return each.code == Code::undercut; });
+        };
+        QVERIFY2(!isUndercut(fewest) && isUndercut(fewest - 1),
+                 qPrintable(QString("%1 teeth at %2, %3 degrees").arg(fewest).arg(angle).arg(helix)));
+        const auto verdict = checkTeeth(*teethCertificate(answer, wish, "test"));
+        QVERIFY(verdict.has_value());
+        for (const std::string& fault : verdict->faults) qWarning("%s", fault.c_str());
+        QVERIFY(verdict->holds());
+        limits.insert(fewest);
+      }
+    }
+    QVERIFY(limits.contains(18));  // 17.1 at 20 degrees without a helix
+    QVERIFY(limits.size() > 5);
   }
 
   /// A claim that is not true is found, whichever it is.
