@@ -44,6 +44,9 @@ Mechanism twoRings() {
   return std::move(set).build();
 }
 
+constexpr const char* kSandgrenWish =
+    R"({"ratios": [{"drive": "3", "driven": "1", "ratio": "1000/6931", "tolerance": "1/1000"}], "fewest": 12, "most": 60})";
+
 TeethProblem problemOf(const Mechanism& train, const char* json) {
   const auto wish = readTeethWish(json, train);
   GEARGRAPH_REQUIRE(wish.has_value());
@@ -75,9 +78,7 @@ double secondsOf(const auto& work) {
 }
 
 void gearTrain(benchmark::State& state) {
-  const TeethProblem problem = problemOf(
-      twoPairs(),
-      R"({"ratios": [{"drive": "3", "driven": "1", "ratio": "1000/6931", "tolerance": "1/1000"}], "fewest": 12, "most": 60})");
+  const TeethProblem problem = problemOf(twoPairs(), kSandgrenWish);
   double search = 0, loops = 0;
   for (auto _ : state) {
     TeethFound found;
@@ -89,6 +90,17 @@ void gearTrain(benchmark::State& state) {
   state.counters["over loops"] = search / loops;
 }
 BENCHMARK(gearTrain)->Unit(benchmark::kMillisecond);
+
+/// The search alone, beside the same choices in numpy (peers.py).
+void sandgrenTeeth(benchmark::State& state) {
+  const TeethProblem problem = problemOf(twoPairs(), kSandgrenWish);
+  TeethSearchOptions options;
+  options.most = 20;
+  std::int64_t within = 0;
+  for (auto _ : state) within = searchTeeth(problem, options).counts.accepted;
+  state.counters["within"] = static_cast<double>(within);
+}
+BENCHMARK(sandgrenTeeth)->Unit(benchmark::kMillisecond);
 
 void twoRingReducer(benchmark::State& state) {
   const TeethProblem problem = problemOf(

@@ -155,6 +155,16 @@ def numpy_poses(train):
     return poses
 
 
+def numpy_teeth():
+    """Teeth of two pairs, 12 to 60, with 1/6.931 within 1/1000: how many, and the 20 nearest, in whole numbers."""
+    pairs = np.multiply.outer(np.arange(12, 61), np.arange(12, 61)).ravel()
+    apart = np.abs(6931 * pairs[:, None] - 1000 * pairs[None, :])
+    within = np.nonzero(apart <= pairs[None, :])
+    errors = apart[within] / pairs[within[1]]
+    best = np.argsort(errors, kind="stable")[:20]
+    return len(errors), within[0][best], within[1][best]
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     result = {}
@@ -168,6 +178,8 @@ def main():
         result[f"sympy linsolve {family} 80"] = best(lambda: sympy_linsolve(trains[80]), 1)
         if family == "tree":
             result["numpy poses 1000"] = best(lambda: numpy_poses(trains[1000]))
+    result["numpy teeth"] = best(numpy_teeth)
+    result["numpy teeth within"] = numpy_teeth()[0]
     json.dump(result, sys.stdout, indent=1)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the table of ratios into PAGE, between its two marks.
 
-    table.py FOLDER PAGE      FOLDER holds analysis.json, peers.json (Google Benchmark) and python.json (peers.py)
+    table.py FOLDER PAGE      FOLDER holds analysis.json, peers.json, teeth.json (Google Benchmark) and python.json (peers.py)
 """
 
 import json
@@ -29,6 +29,7 @@ ROWS = [
     ("symbolic, 7 links", "symbolic/{}/7", "sympy LUsolve {} 7", "SymPy LUsolve", 40, 80),
     ("symbolic, 20 links", "symbolic/{}/20", "sympy LUsolve {} 20", "SymPy LUsolve", 300, 800),
     ("symbolic, 80 links", "symbolic/{}/80", "sympy linsolve {} 80", "SymPy linsolve", 3000, 8000),
+    ("teeth of two pairs for a ratio, 5,764,801 choices", "sandgrenTeeth", "numpy teeth", "numpy, all choices at once", 1, 3),
     ("forward kinematics, 1,000 links", "forwardKinematics/1000", "numpy poses 1000", "a numpy loop", 60, 150),
 ]
 
@@ -43,14 +44,23 @@ def google(path):
     }
 
 
+def same_choices(teeth, peer):
+    """Both have found as many."""
+    counts = {run["within"] for run in json.loads(teeth.read_text())["benchmarks"]
+              if run["run_name"] == "sandgrenTeeth" and run.get("aggregate_name") == "median"}
+    if counts != {peer}:
+        raise SystemExit(f"Different work: {counts} choices of teeth, numpy {peer}")
+
+
 def shown(ratio):
     return f"{ratio:,.0f}" if ratio >= 20 else f"{ratio:.2g}"
 
 
 def main():
     folder, readme = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    times = {**google(folder / "analysis.json"), **google(folder / "peers.json"),
-             **json.loads((folder / "python.json").read_text())}
+    python = json.loads((folder / "python.json").read_text())
+    times = {**google(folder / "analysis.json"), **google(folder / "peers.json"), **google(folder / "teeth.json"), **python}
+    same_choices(folder / "teeth.json", python["numpy teeth within"])
     lines = ["| work | against | times faster | with any inputs | accepted | aimed at |", "| --- | --- | --- | --- | --- | --- |"]
     for work, ours, peer, name, accepted, aim in ROWS:
         ratios = [times[peer.format(family)] / times[ours.format(family)] for family in ("tree", "coupled")]
