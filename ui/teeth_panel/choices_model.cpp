@@ -103,6 +103,10 @@ int ChoicesModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
 }
 
+bool ChoicesModel::isChanged(const TeethChoice& choice, std::size_t wheel) const {
+  return m_result->meant && choice.found.teeth[wheel] != problem().wheels[wheel].drawn;
+}
+
 /// Exact: fractions are compared as fractions.
 bool ChoicesModel::isBefore(const TeethChoice& one, const TeethChoice& other, Column column) const {
   switch (column.kind) {
@@ -160,7 +164,9 @@ QString ChoicesModel::textOf(const TeethChoice& choice, int row, Column column) 
     case Kind::rank:
       return rankAt(row) > 0 ? QString::number(rankAt(row)) : tr("nearest");
     case Kind::wheel:
-      return QString::number(choice.found.teeth[column.at]);
+      return (isChanged(choice, column.at) ? QStringLiteral("%1 → ").arg(problem().wheels[column.at].drawn)
+                                           : QString()) +
+             QString::number(choice.found.teeth[column.at]);
     case Kind::ratio:
       return withPrintedMinus(QString::fromStdString(choice.found.ratios[column.at].toString()));
     case Kind::decimal:
@@ -240,6 +246,7 @@ QVariant ChoicesModel::data(const QModelIndex& index, int role) const {
       return *choice.efficiency;
     }
     case StrongRole:
+      if (m_result->meant && column.kind == Kind::wheel) return isChanged(choice, column.at);
       return column.kind == Kind::wheel || column.kind == Kind::ratio || column.kind == Kind::efficiency;
     case FineRole:
       return column.kind == Kind::error && choice.found.errors[column.at].isZero();
@@ -279,7 +286,9 @@ QString ChoicesModel::headOf(Column column) const {
 QString ChoicesModel::tipOfHead(Column column) const {
   switch (column.kind) {
     case Kind::rank:
-      return tr("The best first: the smallest error, then the highest efficiency");
+      return m_result->meant
+                 ? tr("The likeliest first: the fewest teeth more or less, then the smallest error")
+                 : tr("The best first: the smallest error, then the highest efficiency");
     case Kind::wheel:
       return tr("Teeth of %1").arg(m_names[static_cast<int>(column.at)]);
     case Kind::ratio:

@@ -52,6 +52,8 @@ class ChoicesModel : public QAbstractTableModel {
   [[nodiscard]] const TeethProblem& problem() const { return *m_result->problem; }
   void makeColumns();
   void makePairs();
+  /// Is it one of the wheels by which meant teeth differ from the drawn ones?
+  [[nodiscard]] bool isChanged(const TeethChoice& choice, std::size_t wheel) const;
   [[nodiscard]] bool isBefore(const TeethChoice& one, const TeethChoice& other, Column column) const;
   [[nodiscard]] QString textOf(const TeethChoice& choice, int row, Column column) const;
   [[nodiscard]] QString tipOf(const TeethChoice& choice, Column column) const;

@@ -244,7 +244,7 @@ void TeethPanel::searchSoon() {
 }
 
 void TeethPanel::search() {
-  m_service->search(m_document->placed(), m_form->wish(), m_form->isWhole());
+  m_service->search(m_document->placed(), m_form->wish(), m_form->isWhole(), m_form->meant());
   if (m_service->isComplete()) return showResult();  // the last answer is also the one to this
   if (!m_silence.isActive() && !m_telling.isActive()) m_silence.start();
 }
@@ -290,7 +290,9 @@ void TeethPanel::showResult() {
   m_form->wheels().setChosen({}, {});
   m_funnel->clear();
   setBadge({}, false);
-  if (result && result->answer) {
+  if (result && result->meant) {
+    showMeant(*result);
+  } else if (result && result->answer) {
     showFound(*result->answer);
   } else if (!problems.isEmpty()) {
     m_hint->setText(problems);
@@ -311,11 +313,7 @@ void TeethPanel::showFound(const TeethAnswer& answer) {
                ? tr("All %1 choices tried: complete").arg(countedChoices(counts.tried))
                : tr("Stopped after %1 choices: not complete").arg(countedChoices(counts.tried)),
            answer.found.isComplete);
-  if (!answer.found.isComplete) {
-    m_stop->setText(tr("Search anew"));
-    m_stop->setToolTip(tr("Search from the beginning"));
-    m_stop->show();
-  }
+  if (!answer.found.isComplete) offerNewSearch();
   QStringList steps;
   for (const auto& [name, count] : filtersOf(*answer.problem, counts)) steps << conditionText(name, count);
   steps << tr("%1 meet the wish").arg(countedChoices(counts.accepted));
@@ -343,6 +341,42 @@ void TeethPanel::showFound(const TeethAnswer& answer) {
             ? tr("No choice of teeth is left: the line above says where they end. Wider limits, or "
                  "more wheels that may change, give more.")
             : tr("Nothing was found yet."));
+}
+
+void TeethPanel::showMeant(const TeethResult& result) {
+  const MeantTeeth& meant = *result.meant;
+  const bool isComplete = result.answer->found.isComplete;
+  setBadge(isComplete
+               ? tr("All %1 choices near the drawn teeth tried: complete").arg(countedChoices(meant.tried))
+               : tr("Stopped after %1 choices: not complete").arg(countedChoices(meant.tried)),
+           isComplete);
+  if (!isComplete) offerNewSearch();
+  QStringList lines;
+  for (std::size_t ratio = 0; ratio < meant.drawn.size(); ++ratio) {
+    const auto& drawn = meant.drawn[ratio];
+    const QString text = drawn ? withPrintedMinus(QString::fromStdString(drawn->toString())) : tr("none");
+    const QString number = QString::number(ratio + 1);
+    lines << (meant.fits[ratio] != 0
+                  ? tr("Ratio %1 of the drawn teeth: %2, as stated").arg(number, text)
+                  : tr("Ratio %1 of the drawn teeth: %2, not the stated one").arg(number, text));
+  }
+  if (meant.changed > 0) {
+    lines << tr("Wheels that differ: %1, choices: %2")
+                 .arg(meant.changed)
+                 .arg(countedChoices(static_cast<std::int64_t>(meant.choices.size())));
+  }
+  m_funnel->setText(lines.join(QLatin1Char('\n')));
+  if (meant.choices.empty())
+    m_hint->setText(isComplete
+                        ? tr("No teeth near the drawn ones have all stated ratios. More wheels that may "
+                             "differ, or by more teeth, give more.")
+                        : tr("Nothing was found yet."));
+}
+
+void TeethPanel::offerNewSearch() {
+  m_stop->setText(tr("Search anew"));
+  m_stop->setToolTip(tr("Search from the beginning"));
+  m_stop->show();
 }
 
 /// Are the choices those of the wish and the train as they are now?
@@ -406,7 +440,7 @@ void TeethPanel::copy() {
 }
 
 bool TeethPanel::mayCertify() const {
-  return isCurrent() && m_service->answer()->answer->found.isComplete;
+  return isCurrent() && !m_service->answer()->meant && m_service->answer()->answer->found.isComplete;
 }
 
 void TeethPanel::chooseCertificate() {

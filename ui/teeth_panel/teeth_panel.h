@@ -67,6 +67,8 @@ class TeethPanel : public QWidget, public ResultsView {
   void showRunning();
   void showResult();
   void showFound(const TeethAnswer& answer);
+  void showMeant(const TeethResult& result);
+  void offerNewSearch();
   void setBadge(const QString& text, bool isFine);
   void updateButtons();
   void onRow();

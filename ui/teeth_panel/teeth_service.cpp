@@ -12,6 +12,19 @@ void tellRatiosNow(TeethResult& result) {
     result.ratiosNow.push_back(solvedRatio(*result.problem, ratio, teeth));
 }
 
+/// Nothing of a search that was stopped: its choices need not be those with the fewest wheels.
+Diagnostics answerMeant(const TeethRequest& request, const TeethWish& wish, TeethResult& result,
+                        const std::stop_token& stop) {
+  auto found = meantTeeth(request.drawn, wish, *request.meant, stop);
+  if (!found) return found.error();
+  MeantTeeth meant = *std::move(found);
+  if (stop.stop_requested()) meant.choices.clear();
+  result.problem = meant.problem;
+  result.answer = meantAnswer(meant, kMaxShown, stop);
+  result.meant = std::move(meant);
+  return {};
+}
+
 void searchOne(const TeethRequest& request, const TeethService::Responder& respond) {
   std::stop_source halt = request.halt;
   const std::stop_callback superseded(respond.stop(), [&halt] { halt.request_stop(); });
@@ -30,6 +43,9 @@ void searchOne(const TeethRequest& request, const TeethService::Responder& respo
       return respond(std::move(result));
     }
     result->problem = std::make_shared<const TeethProblem>(*std::move(problem));
+  } else if (request.meant) {
+    result->problems = answerMeant(request, *wish, *result, halt.get_token());
+    if (!result->problems.empty()) return respond(std::move(result));
   } else {
     TeethSearchOptions options;
     options.most = kMaxShown;
@@ -50,7 +66,8 @@ void searchOne(const TeethRequest& request, const TeethService::Responder& respo
 }
 
 bool isSameSearch(const TeethRequest& before, const TeethRequest& now) {
-  return before.wish == now.wish && before.isWhole == now.isWhole && !before.halt.stop_requested() &&
+  return before.wish == now.wish && before.isWhole == now.isWhole && before.meant == now.meant &&
+         !before.halt.stop_requested() &&
          (before.drawn.pointer() == now.drawn.pointer() || isSameButForView(before.drawn, now.drawn));
 }
 
@@ -58,8 +75,9 @@ bool isSameSearch(const TeethRequest& before, const TeethRequest& now) {
 
 TeethService::TeethService(QObject* parent) : Service(&searchOne, parent, {.same = &isSameSearch}) {}
 
-void TeethService::search(const PlacedMechanism& drawn, std::string wish, bool isWhole) {
-  TeethRequest asked{drawn, std::move(wish), isWhole};
+void TeethService::search(const PlacedMechanism& drawn, std::string wish, bool isWhole,
+                          const std::optional<MeantTeethOptions>& meant) {
+  TeethRequest asked{drawn, std::move(wish), isWhole, meant};
   if (request(asked)) m_running = std::move(asked);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/design/teeth_search/meant_teeth.h"
 #include "core/design/teeth_search/teeth_answer.h"
 #include "ui/service/service.h"
 
@@ -20,6 +21,7 @@ struct TeethRequest {
   PlacedMechanism drawn;
   std::string wish;     ///< as readTeethWish() reads it
   bool isWhole = true;  ///< false: a ratio has no number yet; its wheels are listed and nothing is searched
+  std::optional<MeantTeethOptions> meant = {};  ///< the ratios are stated ones, of teeth near the drawn ones
   std::shared_ptr<std::atomic<double>> share = std::make_shared<std::atomic<double>>(0);
   std::shared_ptr<std::atomic<std::int64_t>> found = std::make_shared<std::atomic<std::int64_t>>(0);
   std::stop_source halt = {};  ///< ends the search early; the answer is what it found so far
@@ -32,6 +34,7 @@ struct TeethResult {
   Diagnostics problems;                            ///< of the wish, or of the train
   std::shared_ptr<const TeethProblem> problem;     ///< null: there are problems
   std::optional<TeethAnswer> answer;               ///< none: there are problems, or the wish is not whole
+  std::optional<MeantTeeth> meant;                 ///< of a request for meant teeth, whose answer it is
   std::vector<std::optional<Rational>> ratiosNow;  ///< by wish, of the drawn teeth
 };
 using TeethResultPtr = std::shared_ptr<const TeethResult>;
@@ -43,7 +46,8 @@ class TeethService final : public Service<TeethRequest, TeethResultPtr> {
 
   /// Searches, unless the last request was for the same wish and a train that differs in places of its
   /// drawing at most.
-  void search(const PlacedMechanism& drawn, std::string wish, bool isWhole);
+  void search(const PlacedMechanism& drawn, std::string wish, bool isWhole,
+              const std::optional<MeantTeethOptions>& meant = {});
   /// Ends the search early; its answer is what it found so far.
   void halt();
   /// Cancels the search and forgets the last answer.

@@ -64,6 +64,7 @@ TeethWishForm::TeethWishForm(QWidget* parent)
   addTitle(*layout, tr("Wanted"), add);
   m_rows->setSpacing(2);
   layout->addLayout(m_rows);
+  makeMeant(*layout);
   layout->addWidget(partLine(this));
   addTitle(*layout, tr("Wheels"), nullptr);
   layout->addWidget(m_wheels);
@@ -137,6 +138,49 @@ void TeethWishForm::addLimit(const QString& title, std::initializer_list<QWidget
   beside->setSpacing(6);
   for (QWidget* field : fields) beside->addWidget(field, qobject_cast<QLabel*>(field) == nullptr ? 1 : 0);
   m_limits->addLayout(beside, row, 1);
+}
+
+void TeethWishForm::makeMeant(QVBoxLayout& layout) {
+  const MeantTeethOptions usual;
+  m_isMeant = makeCheck(QStringLiteral("meantTeeth"), tr("stated: which teeth were meant?"),
+                        tr("The ratios are those that somebody states, and the drawn teeth are in doubt: "
+                           "looks for teeth near them with all of these ratios, by the fewest wheels"));
+  m_near = new QWidget(this);
+  m_differing = makeSpin(QStringLiteral("meantWheels"), tr("Wheels that may differ from the drawn ones"), 1,
+                         kMaxMeantWheels);
+  m_differing->setValue(usual.wheels);
+  m_by = makeSpin(QStringLiteral("meantBy"), tr("Teeth by which each of them may differ"), 1, kMaxMeantTeeth);
+  m_by->setValue(usual.by);
+  auto* near = new QGridLayout(m_near);
+  near->setContentsMargins(0, 0, 0, 0);
+  near->setVerticalSpacing(4);
+  near->setColumnStretch(1, 1);
+  for (const auto& [title, spin] :
+       {std::pair(tr("Wheels that differ"), m_differing), std::pair(tr("Teeth apart"), m_by)}) {
+    auto* label = new QLabel(title, m_near);
+    label->setProperty("look", "hint");
+    label->setWordWrap(true);
+    const int row = near->rowCount();
+    near->addWidget(label, row, 0);
+    near->addWidget(spin, row, 1);
+  }
+  layout.addWidget(m_isMeant);
+  layout.addWidget(m_near);
+  connect(m_isMeant, &QCheckBox::toggled, this, &TeethWishForm::showMeant);
+  m_near->hide();
+}
+
+/// Limits on numbers of teeth are those of a new choice: of meant teeth the drawn ones are the middle.
+void TeethWishForm::showMeant() {
+  const bool isMeant = m_isMeant->isChecked();
+  m_near->setVisible(isMeant);
+  for (QWidget* limit : std::initializer_list<QWidget*>{m_fewest, m_most, m_mostRing, m_stock, m_once})
+    limit->setEnabled(!isMeant);
+}
+
+std::optional<MeantTeethOptions> TeethWishForm::meant() const {
+  if (!m_isMeant->isChecked()) return std::nullopt;
+  return MeantTeethOptions{m_by->value(), m_differing->value()};
 }
 
 void TeethWishForm::makeLimits() {
@@ -228,6 +272,7 @@ void TeethWishForm::reset(const MechanismPtr& mechanism) {
   }
   m_made = 0;
   m_mechanism = mechanism;
+  m_isMeant->setChecked(false);
   m_wheels->reset();
   toDefaults();
   addRatio();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/design/teeth_search/meant_teeth.h"
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 #include "ui/teeth_panel/wheels_list.h"
@@ -42,6 +43,8 @@ class TeethWishForm : public QWidget {
   [[nodiscard]] std::string wish() const;
   /// Has every ratio a number?
   [[nodiscard]] bool isWhole() const;
+  /// How far the meant teeth may be from the drawn ones; none: the ratios are wanted, not stated.
+  [[nodiscard]] std::optional<MeantTeethOptions> meant() const;
   void setRatiosNow(const std::vector<std::optional<Rational>>& ratios);
   [[nodiscard]] WheelsList& wheels() { return *m_wheels; }
   /// Shows what is wrong at its fields. What is about none of them is returned, as sentences.
@@ -56,6 +59,8 @@ class TeethWishForm : public QWidget {
  private:
   void removeRatio(RatioRow* row);
   void updateRemovable();
+  void makeMeant(QVBoxLayout& layout);
+  void showMeant();
   void makeLimits();
   void toDefaults();
   QLabel* addTitle(QVBoxLayout& layout, const QString& text, QWidget* atEnd);
@@ -69,6 +74,10 @@ class TeethWishForm : public QWidget {
   std::vector<RatioRow*> m_ratios;
   int m_made = 0;  ///< rows, for their names
   QVBoxLayout* m_rows;
+  QCheckBox* m_isMeant = nullptr;
+  QWidget* m_near = nullptr;  ///< how near the meant teeth are
+  QSpinBox* m_differing = nullptr;
+  QSpinBox* m_by = nullptr;
   WheelsList* m_wheels;
   QGridLayout* m_limits;
   QSpinBox* m_fewest;

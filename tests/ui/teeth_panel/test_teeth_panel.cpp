@@ -282,6 +282,40 @@ class TeethPanelTest : public QObject {
   }
 
   /// Choices of an earlier train are not taken.
+  /// 67.5 is the ratio with 27 and 81 teeth instead of the drawn 26 and 80, which give 50.
+  void teethThatWereMeant() {
+    QVERIFY(!part<QSpinBox>("meantBy").isVisible());
+    part<QCheckBox>("meantTeeth").click();
+    QVERIFY(part<QSpinBox>("meantBy").isVisible());
+    QVERIFY(!part<QSpinBox>("mostTeeth").isEnabled());
+    part<QSpinBox>("meantWheels").setValue(2);
+    type("ratio.0", "67.5");
+    QVERIFY2(m_panel->badge().endsWith("choices near the drawn teeth tried: complete"),
+             qPrintable(m_panel->badge()));
+    QCOMPARE(m_panel->funnel().section('\n', 0, 0),
+             QStringLiteral("Ratio 1 of the drawn teeth: 50, not the stated one"));
+    QVERIFY(m_panel->funnel().contains("Wheels that differ: 2"));
+    QStringList wheels;
+    for (int column = 0; column < choices().columnCount(); ++column)
+      if (choices().columnAt(column).kind == ChoicesModel::Kind::wheel)
+        wheels << choices().index(0, column).data().toString();
+    QCOMPARE(wheels, (QStringList{"24", "30", "84", "26 → 27", "80 → 81"}));
+    QCOMPARE(cell(0, ChoicesModel::Kind::ratio), QStringLiteral("135/2"));
+    QVERIFY(!m_panel->mayCertify());  // others may be farther from the drawn ones
+    m_panel->take(0);
+    settle();
+    QCOMPARE(m_document->mechanism()->gearMeshes[2].headTeeth, 81);
+    QVERIFY2(m_panel->funnel().endsWith("135/2, as stated"), qPrintable(m_panel->funnel()));
+
+    type("ratio.0", "1000");
+    QCOMPARE(choices().rowCount(), 0);
+    QVERIFY(m_panel->funnel().endsWith("135/2, not the stated one"));
+    part<QCheckBox>("meantTeeth").click();
+    settle();
+    QVERIFY(part<QSpinBox>("mostTeeth").isEnabled());
+    QVERIFY(m_panel->badge().contains("choices tried"));
+  }
+
   void choicesOfAnotherTrainAreNotTaken() {
     limit();
     type("ratio.0", "64");
