@@ -17733,14 +17733,6 @@ Radpaare / Steg: %3</translation>
         <translation>Ihr Getriebe wird bestimmt…</translation>
     </message>
     <message>
-        <source>%1 links, %2 axes, %3 gear pairs</source>
-        <translation>%1 Glieder, %2 Achsen, %3 Radpaare</translation>
-    </message>
-    <message>
-        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
-        <translation>%1 Glieder, %2 Achsen, %3 Radpaare; Freiheitsgrad %4, wenn ein Glied festgehalten ist</translation>
-    </message>
-    <message>
         <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
         <translation>Sie kann sich nicht drehen: %1 Radpaare sind ebenso viele Bedingungen für die Drehzahlen von %2 Gliedern, von denen eines festgehalten ist.</translation>
     </message>
@@ -17803,10 +17795,6 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>nonfractionated (%1)</source>
         <translation>nicht zerlegbar (%1)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 chains; %3 equations</source>
-        <translation>%1 von %2 Ketten; %3 Gleichungen</translation>
     </message>
     <message>
         <source>equations of %1 only</source>
@@ -20347,6 +20335,138 @@ Radpaare / Steg: %3</translation>
     <message>
         <source>sign of gears on axes that cross</source>
         <translation>Vorzeichen von Rädern auf Achsen, die sich kreuzen</translation>
+    </message>
+    <message>
+        <source>stated: which teeth were meant?</source>
+        <translation>angegeben: Welche Zähne waren gemeint?</translation>
+    </message>
+    <message>
+        <source>The ratios are those that somebody states, and the drawn teeth are in doubt: looks for teeth near them with all of these ratios, by the fewest wheels</source>
+        <translation>Die Übersetzungen sind die angegebenen, und die gezeichneten Zähnezahlen sind fraglich: sucht in ihrer Nähe Zähnezahlen mit all diesen Übersetzungen, mit möglichst wenigen anderen Rädern</translation>
+    </message>
+    <message>
+        <source>Wheels that may differ from the drawn ones</source>
+        <translation>Räder, die von den gezeichneten abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>Teeth by which each of them may differ</source>
+        <translation>Zähne, um die jedes von ihnen abweichen darf</translation>
+    </message>
+    <message>
+        <source>Wheels that differ</source>
+        <translation>Abweichende Räder</translation>
+    </message>
+    <message>
+        <source>Teeth apart</source>
+        <translation>Zähne Abstand</translation>
+    </message>
+    <message>
+        <source>All %1 choices near the drawn teeth tried: complete</source>
+        <translation>Alle %1 Möglichkeiten nahe den gezeichneten Zähnezahlen geprüft: vollständig</translation>
+    </message>
+    <message>
+        <source>Ratio %1 of the drawn teeth: %2, as stated</source>
+        <translation>Übersetzung %1 der gezeichneten Zähne: %2, wie angegeben</translation>
+    </message>
+    <message>
+        <source>Ratio %1 of the drawn teeth: %2, not the stated one</source>
+        <translation>Übersetzung %1 der gezeichneten Zähne: %2, nicht die angegebene</translation>
+    </message>
+    <message>
+        <source>Wheels that differ: %1, choices: %2</source>
+        <translation>Abweichende Räder: %1, Möglichkeiten: %2</translation>
+    </message>
+    <message>
+        <source>No teeth near the drawn ones have all stated ratios. More wheels that may differ, or by more teeth, give more.</source>
+        <translation>Keine Zähnezahlen nahe den gezeichneten haben alle angegebenen Übersetzungen. Mehr abweichende Räder oder mehr Zähne Abstand ergeben mehr.</translation>
+    </message>
+    <message>
+        <source>The likeliest first: the fewest teeth more or less, then the smallest error</source>
+        <translation>Die wahrscheinlichsten zuerst: die wenigsten Zähne mehr oder weniger, dann die kleinste Abweichung</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; equations: %3</source>
+        <translation>%1 von %2 Ketten; Gleichungen: %3</translation>
+    </message>
+    <message>
+        <source>links: %1, axes: %2, gear pairs: %3</source>
+        <translation>Glieder: %1, Achsen: %2, Radpaare: %3</translation>
+    </message>
+    <message>
+        <source>links: %1, axes: %2, gear pairs: %3; freedom %4 with one link held</source>
+        <translation>Glieder: %1, Achsen: %2, Radpaare: %3; Freiheitsgrad %4 mit einem festen Glied</translation>
+    </message>
+    <message>
+        <source>Trees, inputs and frames</source>
+        <translation>Bäume, Antriebe und Gestelle</translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation>Vergleichen mit…</translation>
+    </message>
+    <message>
+        <source>Which link is which</source>
+        <translation>Welches Glied welches ist</translation>
+    </message>
+    <message>
+        <source>Lists all trees of turning joints, valid sets of inputs and frames with which your train can be drawn</source>
+        <translation>Listet alle Bäume von Drehgelenken, gültigen Sätze von Antrieben und Gestelle auf, mit denen Ihr Getriebe gezeichnet werden kann</translation>
+    </message>
+    <message>
+        <source>Is the train of another document the same chain, and which link is which?</source>
+        <translation>Ist das Getriebe eines anderen Dokuments dieselbe Kette, und welches Glied ist welches?</translation>
+    </message>
+    <message>
+        <source>your train</source>
+        <translation>Ihr Getriebe</translation>
+    </message>
+    <message>
+        <source>the other one</source>
+        <translation>das andere</translation>
+    </message>
+    <message>
+        <source>Valid sets of inputs: %1</source>
+        <translation>Gültige Sätze von Antrieben: %1</translation>
+    </message>
+    <message>
+        <source>GearGraph documents (*.geargraph)</source>
+        <translation>GearGraph-Dokumente (*.geargraph)</translation>
+    </message>
+    <message>
+        <source>%1 is a different chain.</source>
+        <translation>%1 ist eine andere Kette.</translation>
+    </message>
+    <message>
+        <source>%1 is the same chain.</source>
+        <translation>%1 ist dieselbe Kette.</translation>
+    </message>
+    <message>
+        <source>%1 has the same equations, on other shafts.</source>
+        <translation>%1 hat dieselben Gleichungen, auf anderen Wellen.</translation>
+    </message>
+    <message>
+        <source>Digraph of your train</source>
+        <translation>Digraph Ihres Getriebes</translation>
+    </message>
+    <message>
+        <source>Digraph of the other train, with the colours of your links</source>
+        <translation>Digraph des anderen Getriebes, mit den Farben Ihrer Glieder</translation>
+    </message>
+    <message>
+        <source>Schematic of chain %1</source>
+        <translation>Schema der Kette %1</translation>
+    </message>
+    <message>
+        <source>Chain %1 in three dimensions</source>
+        <translation>Kette %1 in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>Laid out by rule, with teeth that are no special ones</source>
+        <translation>Nach Regeln angeordnet, mit Zähnezahlen ohne besonderes Verhältnis</translation>
+    </message>
+    <message>
+        <source>The trains are too large to be compared.</source>
+        <translation>Die Getriebe sind zu groß für einen Vergleich.</translation>
     </message>
     <message>
         <source>A face gear has more teeth than its pinion.</source>

@@ -17733,14 +17733,6 @@ pares / portasatélites: %3</translation>
         <translation>Se está identificando su tren…</translation>
     </message>
     <message>
-        <source>%1 links, %2 axes, %3 gear pairs</source>
-        <translation>%1 eslabones, %2 ejes, %3 pares</translation>
-    </message>
-    <message>
-        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
-        <translation>%1 eslabones, %2 ejes, %3 pares; libertad %4 con un eslabón fijo</translation>
-    </message>
-    <message>
         <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
         <translation>No puede girar: %1 pares son otras tantas condiciones para las velocidades de %2 eslabones, uno de ellos fijo.</translation>
     </message>
@@ -17803,10 +17795,6 @@ pares / portasatélites: %3</translation>
     <message>
         <source>nonfractionated (%1)</source>
         <translation>no fraccionadas (%1)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 chains; %3 equations</source>
-        <translation>%1 de %2 cadenas; %3 ecuaciones</translation>
     </message>
     <message>
         <source>equations of %1 only</source>
@@ -20347,6 +20335,138 @@ pares / portasatélites: %3</translation>
     <message>
         <source>sign of gears on axes that cross</source>
         <translation>signo de ruedas en ejes que se cruzan</translation>
+    </message>
+    <message>
+        <source>stated: which teeth were meant?</source>
+        <translation>indicadas: ¿qué dientes se querían decir?</translation>
+    </message>
+    <message>
+        <source>The ratios are those that somebody states, and the drawn teeth are in doubt: looks for teeth near them with all of these ratios, by the fewest wheels</source>
+        <translation>Las relaciones son las que alguien indica y los dientes dibujados están en duda: busca cerca de ellos dientes con todas estas relaciones, cambiando las menos ruedas</translation>
+    </message>
+    <message>
+        <source>Wheels that may differ from the drawn ones</source>
+        <translation>Ruedas que pueden diferir de las dibujadas</translation>
+    </message>
+    <message>
+        <source>Teeth by which each of them may differ</source>
+        <translation>Dientes en que cada una de ellas puede diferir</translation>
+    </message>
+    <message>
+        <source>Wheels that differ</source>
+        <translation>Ruedas que difieren</translation>
+    </message>
+    <message>
+        <source>Teeth apart</source>
+        <translation>Dientes de diferencia</translation>
+    </message>
+    <message>
+        <source>All %1 choices near the drawn teeth tried: complete</source>
+        <translation>Probadas las %1 opciones cercanas a los dientes dibujados: completo</translation>
+    </message>
+    <message>
+        <source>Ratio %1 of the drawn teeth: %2, as stated</source>
+        <translation>Relación %1 de los dientes dibujados: %2, como se indica</translation>
+    </message>
+    <message>
+        <source>Ratio %1 of the drawn teeth: %2, not the stated one</source>
+        <translation>Relación %1 de los dientes dibujados: %2, no la indicada</translation>
+    </message>
+    <message>
+        <source>Wheels that differ: %1, choices: %2</source>
+        <translation>Ruedas que difieren: %1, opciones: %2</translation>
+    </message>
+    <message>
+        <source>No teeth near the drawn ones have all stated ratios. More wheels that may differ, or by more teeth, give more.</source>
+        <translation>Ningunos dientes cercanos a los dibujados tienen todas las relaciones indicadas. Más ruedas que puedan diferir, o más dientes de diferencia, dan más.</translation>
+    </message>
+    <message>
+        <source>The likeliest first: the fewest teeth more or less, then the smallest error</source>
+        <translation>Lo más probable primero: los menos dientes de más o de menos, luego el menor error</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; equations: %3</source>
+        <translation>%1 de %2 cadenas; ecuaciones: %3</translation>
+    </message>
+    <message>
+        <source>links: %1, axes: %2, gear pairs: %3</source>
+        <translation>eslabones: %1, ejes: %2, pares de ruedas: %3</translation>
+    </message>
+    <message>
+        <source>links: %1, axes: %2, gear pairs: %3; freedom %4 with one link held</source>
+        <translation>eslabones: %1, ejes: %2, pares de ruedas: %3; libertad %4 con un eslabón fijo</translation>
+    </message>
+    <message>
+        <source>Trees, inputs and frames</source>
+        <translation>Árboles, entradas y bastidores</translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation>Comparar con…</translation>
+    </message>
+    <message>
+        <source>Which link is which</source>
+        <translation>Qué eslabón es cuál</translation>
+    </message>
+    <message>
+        <source>Lists all trees of turning joints, valid sets of inputs and frames with which your train can be drawn</source>
+        <translation>Enumera todos los árboles de pares de revolución, los conjuntos válidos de entradas y los bastidores con que se puede dibujar su tren</translation>
+    </message>
+    <message>
+        <source>Is the train of another document the same chain, and which link is which?</source>
+        <translation>¿Es el tren de otro documento la misma cadena, y qué eslabón es cuál?</translation>
+    </message>
+    <message>
+        <source>your train</source>
+        <translation>su tren</translation>
+    </message>
+    <message>
+        <source>the other one</source>
+        <translation>el otro</translation>
+    </message>
+    <message>
+        <source>Valid sets of inputs: %1</source>
+        <translation>Conjuntos válidos de entradas: %1</translation>
+    </message>
+    <message>
+        <source>GearGraph documents (*.geargraph)</source>
+        <translation>Documentos de GearGraph (*.geargraph)</translation>
+    </message>
+    <message>
+        <source>%1 is a different chain.</source>
+        <translation>%1 es otra cadena.</translation>
+    </message>
+    <message>
+        <source>%1 is the same chain.</source>
+        <translation>%1 es la misma cadena.</translation>
+    </message>
+    <message>
+        <source>%1 has the same equations, on other shafts.</source>
+        <translation>%1 tiene las mismas ecuaciones, en otros ejes.</translation>
+    </message>
+    <message>
+        <source>Digraph of your train</source>
+        <translation>Dígrafo de su tren</translation>
+    </message>
+    <message>
+        <source>Digraph of the other train, with the colours of your links</source>
+        <translation>Dígrafo del otro tren, con los colores de sus eslabones</translation>
+    </message>
+    <message>
+        <source>Schematic of chain %1</source>
+        <translation>Esquema de la cadena %1</translation>
+    </message>
+    <message>
+        <source>Chain %1 in three dimensions</source>
+        <translation>Cadena %1 en tres dimensiones</translation>
+    </message>
+    <message>
+        <source>Laid out by rule, with teeth that are no special ones</source>
+        <translation>Dispuesta según reglas, con dientes sin relación especial</translation>
+    </message>
+    <message>
+        <source>The trains are too large to be compared.</source>
+        <translation>Los trenes son demasiado grandes para compararlos.</translation>
     </message>
     <message>
         <source>A face gear has more teeth than its pinion.</source>

@@ -17731,14 +17731,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>Dişli diziniz tanınıyor…</translation>
     </message>
     <message>
-        <source>%1 links, %2 axes, %3 gear pairs</source>
-        <translation>%1 uzuv, %2 eksen, %3 dişli çifti</translation>
-    </message>
-    <message>
-        <source>%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held</source>
-        <translation>%1 uzuv, %2 eksen, %3 dişli çifti; bir uzuv tutulunca serbestlik derecesi %4</translation>
-    </message>
-    <message>
         <source>It cannot turn: %1 gear pairs are as many conditions for the speeds of %2 links, of which one is held.</source>
         <translation>Dönemez: %1 dişli çifti, biri tutulan %2 uzvun hızları için o kadar koşuldur.</translation>
     </message>
@@ -17801,10 +17793,6 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>nonfractionated (%1)</source>
         <translation>bölünemeyen (%1)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 chains; %3 equations</source>
-        <translation>%2 zincirden %1; %3 denklem</translation>
     </message>
     <message>
         <source>equations of %1 only</source>
@@ -20345,6 +20333,138 @@ dişli çiftleri / taşıyıcı: %3</translation>
     <message>
         <source>sign of gears on axes that cross</source>
         <translation>çapraz eksenlerdeki dişlilerin işareti</translation>
+    </message>
+    <message>
+        <source>stated: which teeth were meant?</source>
+        <translation>bildirilmiş: hangi dişler kastedildi?</translation>
+    </message>
+    <message>
+        <source>The ratios are those that somebody states, and the drawn teeth are in doubt: looks for teeth near them with all of these ratios, by the fewest wheels</source>
+        <translation>Oranlar bildirilen oranlardır ve çizilen diş sayıları kuşkuludur: yakınlarında bu oranların hepsini veren diş sayılarını, en az dişliyi değiştirerek arar</translation>
+    </message>
+    <message>
+        <source>Wheels that may differ from the drawn ones</source>
+        <translation>Çizilenlerden farklı olabilecek dişliler</translation>
+    </message>
+    <message>
+        <source>Teeth by which each of them may differ</source>
+        <translation>Her birinin farklı olabileceği diş sayısı</translation>
+    </message>
+    <message>
+        <source>Wheels that differ</source>
+        <translation>Farklı dişliler</translation>
+    </message>
+    <message>
+        <source>Teeth apart</source>
+        <translation>Diş farkı</translation>
+    </message>
+    <message>
+        <source>All %1 choices near the drawn teeth tried: complete</source>
+        <translation>Çizilen dişlere yakın %1 seçeneğin tümü denendi: eksiksiz</translation>
+    </message>
+    <message>
+        <source>Ratio %1 of the drawn teeth: %2, as stated</source>
+        <translation>Çizilen dişlerin %1. oranı: %2, bildirildiği gibi</translation>
+    </message>
+    <message>
+        <source>Ratio %1 of the drawn teeth: %2, not the stated one</source>
+        <translation>Çizilen dişlerin %1. oranı: %2, bildirilen değil</translation>
+    </message>
+    <message>
+        <source>Wheels that differ: %1, choices: %2</source>
+        <translation>Farklı dişliler: %1, seçenekler: %2</translation>
+    </message>
+    <message>
+        <source>No teeth near the drawn ones have all stated ratios. More wheels that may differ, or by more teeth, give more.</source>
+        <translation>Çizilenlere yakın hiçbir diş bildirilen oranların hepsini vermiyor. Daha çok farklı dişli ya da daha büyük diş farkı daha çok seçenek verir.</translation>
+    </message>
+    <message>
+        <source>The likeliest first: the fewest teeth more or less, then the smallest error</source>
+        <translation>En olası önce: en az diş fazlası ya da eksiği, sonra en küçük hata</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chains; equations: %3</source>
+        <translation>%2 zincirden %1; denklemler: %3</translation>
+    </message>
+    <message>
+        <source>links: %1, axes: %2, gear pairs: %3</source>
+        <translation>uzuvlar: %1, eksenler: %2, dişli çiftleri: %3</translation>
+    </message>
+    <message>
+        <source>links: %1, axes: %2, gear pairs: %3; freedom %4 with one link held</source>
+        <translation>uzuvlar: %1, eksenler: %2, dişli çiftleri: %3; bir uzuv tutulunca serbestlik %4</translation>
+    </message>
+    <message>
+        <source>Trees, inputs and frames</source>
+        <translation>Ağaçlar, girişler ve sabit uzuvlar</translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation>Karşılaştır…</translation>
+    </message>
+    <message>
+        <source>Which link is which</source>
+        <translation>Hangi uzuv hangisi</translation>
+    </message>
+    <message>
+        <source>Lists all trees of turning joints, valid sets of inputs and frames with which your train can be drawn</source>
+        <translation>Dişli takımınızın çizilebileceği tüm döner mafsal ağaçlarını, geçerli giriş kümelerini ve sabit uzuvları listeler</translation>
+    </message>
+    <message>
+        <source>Is the train of another document the same chain, and which link is which?</source>
+        <translation>Başka bir belgenin dişli takımı aynı zincir mi, hangi uzuv hangisi?</translation>
+    </message>
+    <message>
+        <source>your train</source>
+        <translation>sizin takımınız</translation>
+    </message>
+    <message>
+        <source>the other one</source>
+        <translation>öbürü</translation>
+    </message>
+    <message>
+        <source>Valid sets of inputs: %1</source>
+        <translation>Geçerli giriş kümeleri: %1</translation>
+    </message>
+    <message>
+        <source>GearGraph documents (*.geargraph)</source>
+        <translation>GearGraph belgeleri (*.geargraph)</translation>
+    </message>
+    <message>
+        <source>%1 is a different chain.</source>
+        <translation>%1 farklı bir zincirdir.</translation>
+    </message>
+    <message>
+        <source>%1 is the same chain.</source>
+        <translation>%1 aynı zincirdir.</translation>
+    </message>
+    <message>
+        <source>%1 has the same equations, on other shafts.</source>
+        <translation>%1 aynı denklemlere sahip, başka millerde.</translation>
+    </message>
+    <message>
+        <source>Digraph of your train</source>
+        <translation>Dişli takımınızın yönlü grafı</translation>
+    </message>
+    <message>
+        <source>Digraph of the other train, with the colours of your links</source>
+        <translation>Öbür takımın yönlü grafı, sizin uzuvlarınızın renkleriyle</translation>
+    </message>
+    <message>
+        <source>Schematic of chain %1</source>
+        <translation>%1 zincirinin şeması</translation>
+    </message>
+    <message>
+        <source>Chain %1 in three dimensions</source>
+        <translation>%1 zinciri üç boyutta</translation>
+    </message>
+    <message>
+        <source>Laid out by rule, with teeth that are no special ones</source>
+        <translation>Kurala göre yerleştirilmiş, özel oranı olmayan dişlerle</translation>
+    </message>
+    <message>
+        <source>The trains are too large to be compared.</source>
+        <translation>Dişli takımları karşılaştırılamayacak kadar büyük.</translation>
     </message>
     <message>
         <source>A face gear has more teeth than its pinion.</source>

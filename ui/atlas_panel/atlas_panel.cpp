@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QEvent>
+#include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +17,7 @@
 #include "ui/atlas_panel/chain_card.h"
 #include "ui/atlas_panel/chain_grid.h"
 #include "ui/atlas_panel/filter_chips.h"
+#include "ui/atlas_panel/train_details.h"
 #include "ui/theme/theme_colors.h"
 #include "ui/workbench/views.h"
 
@@ -59,6 +61,9 @@ AtlasPanel::AtlasPanel(Document* document, Selection* selection, QWidget* parent
       m_identification(new IdentificationService(this)),
       m_details(new ChainDetailsService(this)),
       m_documents(new ChainDocumentService(this)),
+      m_previews(new ChainPreviewService(this)),
+      m_choices(new TrainChoicesService(this)),
+      m_comparisons(new ComparisonService(this)),
       m_model(new ChainListModel(this)),
       m_grid(new ChainGrid(m_model, this)),
       m_card(new ChainCard(this)) {
@@ -101,7 +106,31 @@ AtlasPanel::AtlasPanel(Document* document, Selection* selection, QWidget* parent
   });
   connect(m_card, &ChainCard::openWanted, this, &AtlasPanel::openChosen);
   connect(m_card, &ChainCard::showWanted, this, &AtlasPanel::showInTrain);
+  m_previews->onAnswer(this, [this](const ChainPreviewPtr& preview) {
+    m_card->setPreview(preview);
+    emitSettledIfIdle();
+  });
+  connect(m_card, &ChainCard::previewWanted, this,
+          [this](const ChainPreviewRequest& request) { m_previews->request(request); });
+  connectTrainDetails();
   setFocusProxy(m_grid);
+}
+
+void AtlasPanel::connectTrainDetails() {
+  TrainDetails* const details = &m_card->trainDetails();
+  connect(details, &TrainDetails::choicesWanted, this,
+          [this] { m_choices->request(m_identification->answer()); });
+  connect(details, &TrainDetails::comparisonWanted, this, [this](const QString& path) {
+    m_comparisons->request({m_identification->answer(), QFile::encodeName(path).toStdString()});
+  });
+  m_choices->onAnswer(this, [this, details](const TrainChoicesPtr& choices) {
+    details->setChoices(choices);
+    emitSettledIfIdle();
+  });
+  m_comparisons->onAnswer(this, [this, details](const TrainComparisonPtr& comparison) {
+    details->setComparison(comparison);
+    emitSettledIfIdle();
+  });
 }
 
 QWidget* AtlasPanel::makeFilters() {
@@ -196,6 +225,7 @@ void AtlasPanel::request() {
 bool AtlasPanel::isSettled() const {
   if (!m_isAwake) return true;
   return m_identification->isComplete() && m_details->isComplete() && m_documents->isComplete() &&
+         m_previews->isComplete() && m_choices->isComplete() && m_comparisons->isComplete() &&
          !m_model->isDrawing();
 }
 
@@ -292,7 +322,7 @@ void AtlasPanel::renew() {
   m_axes->setCounts(counts.axes);
   m_whole->setText(tr("nonfractionated (%1)").arg(locale().toString(counts.nonfractionated)));
   updateEquations();
-  m_count->setText(tr("%1 of %2 chains; %3 equations")
+  m_count->setText(tr("%1 of %2 chains; equations: %3")
                        .arg(locale().toString(counts.all),
                             locale().toString(static_cast<int>(m_catalogue->atlas().chains().size())),
                             locale().toString(counts.rotations)));

@@ -17,8 +17,11 @@ namespace geargraph {
 
 class ChainCard;
 class ChainGrid;
+class ChainPreviewService;
+class ComparisonService;
 class ChainListModel;
 class FilterChips;
+class TrainChoicesService;
 
 /// The atlas of geared kinematic chains: filters, the chains that they leave, and the chosen chain beside
 /// what the document is. It identifies the document while it is in sight, and shows its chain until the user
@@ -50,6 +53,7 @@ class AtlasPanel final : public QWidget, public ResultsView {
  private:
   [[nodiscard]] QWidget* makeFilters();
   [[nodiscard]] QWidget* makeMiddle();
+  void connectTrainDetails();
   void request();
   void onTrain(const TrainAnswerPtr& train);
   void onChosen(const AtlasChain* chain);
@@ -68,6 +72,9 @@ class AtlasPanel final : public QWidget, public ResultsView {
   IdentificationService* m_identification;
   ChainDetailsService* m_details;
   ChainDocumentService* m_documents;
+  ChainPreviewService* m_previews;
+  TrainChoicesService* m_choices;
+  ComparisonService* m_comparisons;
   std::shared_ptr<const ChainCatalogue> m_catalogue;  ///< null until the first answer
   ChainFilter m_filter;
   std::optional<ChainNumber> m_equations;  ///< that the box offers as a filter

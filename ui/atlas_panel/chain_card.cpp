@@ -1,13 +1,19 @@
 #include "ui/atlas_panel/chain_card.h"
 
 #include <QApplication>
+#include <QButtonGroup>
 #include <QClipboard>
+#include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/atlas_panel/chain_picture.h"
+#include "ui/atlas_panel/train_details.h"
 #include "ui/models/term_tips.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph {
 namespace {
@@ -93,12 +99,14 @@ ChainCard::ChainCard(QWidget* parent)
       m_trainText(wrappingLabel(QStringLiteral("train"), this)),
       m_title(new QLabel(this)),
       m_facts(wrappingLabel(QStringLiteral("facts"), this)),
+      m_views(makeViews()),
       m_picture(new ChainPicture(this)),
       m_reason(wrappingLabel(QStringLiteral("reason"), this)),
       m_relatives(wrappingLabel(QStringLiteral("relatives"), this)),
       m_open(new QPushButton(tr("Open as document"), this)),
       m_show(new QPushButton(tr("Show in my train"), this)),
-      m_copy(new QPushButton(tr("Copy number"), this)) {
+      m_copy(new QPushButton(tr("Copy number"), this)),
+      m_trainDetails(new TrainDetails(this)) {
   m_title->setObjectName(QStringLiteral("chainTitle"));
   m_title->setProperty("look", "heading");
   m_facts->setProperty("look", "hint");
@@ -114,10 +122,13 @@ ChainCard::ChainCard(QWidget* parent)
   layout->addSpacing(4);
   layout->addWidget(m_title);
   layout->addWidget(m_facts);
+  layout->addWidget(m_views);
   layout->addWidget(m_picture, 1);
   layout->addWidget(m_reason);
   layout->addWidget(m_relatives);
   for (QPushButton* button : {m_open, m_show, m_copy}) layout->addWidget(button);
+  layout->addSpacing(4);
+  layout->addWidget(m_trainDetails);
 
   for (const QLabel* label : {m_trainText, m_relatives})
     connect(label, &QLabel::linkActivated, this, &ChainCard::follow);
@@ -125,11 +136,59 @@ ChainCard::ChainCard(QWidget* parent)
   connect(m_show, &QPushButton::clicked, this, &ChainCard::showOwn);
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QApplication::clipboard()->setText(shownNumber(m_chain->number)); });
+  connect(m_trainDetails, &TrainDetails::showWanted, this, &ChainCard::showWanted);
   renew();
+}
+
+QWidget* ChainCard::makeViews() {
+  auto* views = new QWidget(this);
+  auto* row = new QHBoxLayout(views);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  auto* group = new QButtonGroup(views);
+  const std::tuple<ChainView, QString, QString> all[] = {
+      {ChainView::digraph, QStringLiteral("chainDigraph"), tr("Digraph")},
+      {ChainView::schematic, QStringLiteral("chainSchematic"), tr("Schematic")},
+      {ChainView::space, QStringLiteral("chainInSpace"), tr("3D")}};
+  for (const auto& [view, name, text] : all) {
+    auto* chip = new QToolButton(views);
+    chip->setObjectName(name);
+    chip->setText(text);
+    chip->setProperty("look", "chip");
+    chip->setCheckable(true);
+    chip->setChecked(view == m_view);
+    group->addButton(chip);
+    row->addWidget(chip);
+    connect(chip, &QToolButton::clicked, this, [this, which = view] { setView(which); });
+  }
+  row->addStretch(1);
+  return views;
+}
+
+void ChainCard::setView(ChainView view) {
+  m_view = view;
+  if (m_chain != nullptr) showPicture();
+}
+
+/// The document of the chain has its own numbers, whose ever it is.
+ChainPreviewRequest ChainCard::preview() const {
+  return {m_chain, m_view, m_view == ChainView::space ? themeOf(palette()) : Theme::light};
+}
+
+void ChainCard::setPreview(const ChainPreviewPtr& preview) {
+  m_preview = preview;
+  if (m_chain != nullptr && m_view != ChainView::digraph && preview->of == this->preview()) showPicture();
+}
+
+void ChainCard::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && m_chain != nullptr && m_view == ChainView::space)
+    showPicture();
 }
 
 void ChainCard::setTrain(const TrainAnswerPtr& train) {
   m_train = train;
+  m_trainDetails->setTrain(train);
   renew();
 }
 
@@ -153,7 +212,7 @@ const IdentifiedChain* ChainCard::ownPart() const {
 void ChainCard::renew() {
   m_trainText->setText(m_train ? trainText(*m_train) : tr("Your train is being identified…"));
   for (QWidget* each :
-       std::initializer_list<QWidget*>{m_title, m_facts, m_picture, m_relatives, m_show, m_copy})
+       std::initializer_list<QWidget*>{m_title, m_facts, m_views, m_picture, m_relatives, m_show, m_copy})
     each->setVisible(m_chain != nullptr);
   m_open->setEnabled(m_chain != nullptr);
   m_reason->setVisible(m_details && m_details->lockedMeshes);
@@ -162,11 +221,11 @@ void ChainCard::renew() {
   const Chain& chain = m_chain->chain;
   m_title->setText(shownNumber(m_chain->number));
   m_facts->setText(m_chain->number.dof == 0
-                       ? tr("%1 links, %2 axes, %3 gear pairs")
+                       ? tr("links: %1, axes: %2, gear pairs: %3")
                              .arg(chain.links)
                              .arg(chain.axes.size())
                              .arg(chain.meshes.size())
-                       : tr("%1 links, %2 axes, %3 gear pairs; freedom %4 with one link held")
+                       : tr("links: %1, axes: %2, gear pairs: %3; freedom %4 with one link held")
                              .arg(chain.links)
                              .arg(chain.axes.size())
                              .arg(chain.meshes.size())
@@ -189,8 +248,25 @@ void ChainCard::renew() {
       QStringLiteral("<br>") + tr("Links that differ as the frame: %1").arg(relatives.frames));
 }
 
-/// A chain of the train has the numbers and colours of its links there.
+/// The document of a chain is laid out when it is looked at.
 void ChainCard::showPicture() {
+  if (m_view == ChainView::digraph) return showDigraph();
+  m_picture->setToolTip(tr("Laid out by rule, with teeth that are no special ones"));
+  const bool isThere = m_preview && m_preview->of == preview();
+  const QString number = shownNumber(m_chain->number);
+  if (m_view == ChainView::schematic) {
+    m_picture->setDrawing(isThere ? m_preview->schematic : DisplayList(),
+                          tr("Schematic of chain %1").arg(number));
+  } else {
+    m_picture->setImage(isThere ? m_preview->space : QImage(),
+                        tr("Chain %1 in three dimensions").arg(number));
+    if (isThere && !m_preview->why.isEmpty()) m_picture->setToolTip(m_preview->why);
+  }
+  if (!isThere) emit previewWanted(preview());
+}
+
+/// A chain of the train has the numbers and colours of its links there.
+void ChainCard::showDigraph() {
   ChainDrawingStyle style{.namesAxes = true};
   const IdentifiedChain* own = ownPart();
   if (own != nullptr) {

@@ -30,12 +30,27 @@ ChainPicture::ChainPicture(QWidget* parent) : QWidget(parent) {
 
 void ChainPicture::setDrawing(DisplayList drawing, const QString& description) {
   m_drawing = std::move(drawing);
+  m_image = {};
+  setAccessibleName(description);
+  update();
+}
+
+void ChainPicture::setImage(QImage image, const QString& description) {
+  m_drawing = {};
+  m_image = std::move(image);
   setAccessibleName(description);
   update();
 }
 
 void ChainPicture::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
+  if (!m_image.isNull()) {
+    const QSize size = m_image.size().scaled(this->size(), Qt::KeepAspectRatio);
+    const QPoint corner((width() - size.width()) / 2, (height() - size.height()) / 2);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRect(corner, size), m_image);
+    return;
+  }
   paintChain(painter, m_drawing, rect(), themeOf(palette()));
 }
 

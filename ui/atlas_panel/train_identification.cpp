@@ -19,6 +19,7 @@ void answerIdentity(const PlacedMechanism& placed, const IdentificationService::
     return respond(answer);
   }
   answer->identity = identifyTrain(placed, placed.placement(), *drawn, catalogue->atlas(), respond.stop());
+  answer->drawn = *std::move(drawn);
   if (answer->identity) respond(answer);
 }
 

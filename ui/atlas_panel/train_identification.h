@@ -17,6 +17,7 @@ struct TrainAnswer {
   MechanismPtr mechanism;                           ///< that was identified
   Diagnostics why;                                  ///< the train is unfinished
   bool isTooLarge = false;                          ///< over kMaxIdentifiedLinks
+  std::optional<DrawnChain> drawn;                  ///< with all its links; none where it is unfinished
   std::optional<TrainIdentity> identity;
 };
 using TrainAnswerPtr = std::shared_ptr<const TrainAnswer>;

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/example_files.h"
@@ -16,6 +17,7 @@
 #include "ui/atlas_panel/chain_grid.h"
 #include "ui/atlas_panel/chain_picture.h"
 #include "ui/atlas_panel/filter_chips.h"
+#include "ui/atlas_panel/train_details.h"
 
 namespace geargraph {
 
@@ -124,11 +126,110 @@ class AtlasPanelTest : public QObject {
     QVERIFY(text("train").contains("6-1.12.1"));
   }
 
+  /// The schematic and the picture in 3D are those of the document that the chain becomes.
+  void aChainIsPicturedInThreeWays() {
+    ChainPicture& picture = part<ChainPicture>("chainPicture");
+    QVERIFY(!picture.drawing().marks.empty());
+    const std::size_t marks = picture.drawing().marks.size();
+    press("chainSchematic");
+    settle();
+    QVERIFY(!picture.drawing().marks.empty());
+    QVERIFY(picture.drawing().marks.size() != marks);
+    QVERIFY(picture.accessibleName().startsWith("Schematic of chain 3-1.1.1"));
+    panel->setFilter({.links = 4, .dof = 1});
+    settle();
+    QVERIFY(picture.accessibleName().startsWith("Schematic of chain 4-1"));
+    QVERIFY(!picture.drawing().marks.empty());
+    press("chainInSpace");
+    settle();
+    QVERIFY(picture.drawing().marks.empty());
+    if (picture.image().isNull()) {
+      QVERIFY2(!picture.toolTip().isEmpty(), "neither a picture nor a reason");
+    } else {
+      QSet<QRgb> colors;
+      const QImage image = picture.image();
+      for (int y = 0; y < image.height(); y += 4)
+        for (int x = 0; x < image.width(); x += 4) colors << image.pixel(x, y);
+      QVERIFY(colors.size() > 20);
+    }
+    press("chainDigraph");
+    QVERIFY(!picture.drawing().marks.empty());
+  }
+
+  // As `identify --choices` has them.
+  void treesInputsAndFramesAreListed() {
+    open(test::example("planetary-ring-held"));
+    auto& list = part<QTreeWidget>("choicesList");
+    QVERIFY(list.isHidden());
+    part<QPushButton>("askChoices").click();
+    settle();
+    QCOMPARE(list.topLevelItemCount(), 3);
+    QCOMPARE(list.topLevelItem(0)->text(0), QString("Trees of turning joints: 3"));
+    QCOMPARE(list.topLevelItem(1)->text(0), QString("Valid sets of inputs: 4"));
+    QCOMPARE(list.topLevelItem(2)->text(0), QString("Links that differ as the frame: 3"));
+    QCOMPARE(list.topLevelItem(0)->child(0)->text(0), QString::fromUtf8("0–1  0–2  2–3"));
+    QCOMPARE(list.topLevelItem(2)->childCount(), 3);
+    list.setCurrentItem(list.topLevelItem(1)->child(0));
+    const Mechanism& train = *document->mechanism();
+    QVERIFY(selection.isSelected(train.links[0].id) && selection.isSelected(train.links[1].id));
+    QVERIFY(!selection.isSelected(train.links[2].id));
+    open(test::example("spur-pair"));
+    QCOMPARE(list.topLevelItem(0)->text(0), QString("Trees of turning joints: 1"));
+    open(emptyMechanism());
+    QCOMPARE(list.topLevelItemCount(), 0);
+    QVERIFY(!part<QPushButton>("askChoices").isEnabled());
+  }
+
+  // As `identify --with` has it: both wrists are chain 6-2.9.1.
+  void anotherDocumentIsComparedLinkByLink() {
+    open(test::example("bevel-wrist"));
+    TrainDetails& details = *panel->findChild<TrainDetails*>();
+    const auto pathOf = [](const char* name) {
+      return QString::fromStdString(
+          test::sourcePath("resources/examples/" + std::string(name) + ".geargraph"));
+    };
+    details.compareWith(pathOf("three-roll-wrist"));
+    settle();
+    QCOMPARE(text("comparison"), QString("three-roll-wrist is the same chain."));
+    auto& list = part<QTreeWidget>("matchList");
+    QVERIFY(list.isVisibleTo(panel.get()));
+    QStringList rows;
+    for (int row = 0; row < list.topLevelItemCount(); ++row)
+      rows << list.topLevelItem(row)->text(0) + '=' + list.topLevelItem(row)->text(1);
+    QVERIFY2(rows.contains("link 2=link 4") && rows.contains("mesh 14=mesh 14"), qPrintable(rows.join(' ')));
+    QCOMPARE(rows.size(), 9);
+    list.setCurrentItem(list.topLevelItem(1));
+    QCOMPARE(selection.selected(), (std::set<ElementId>{document->mechanism()->links[2].id}));
+    const auto labels = [&](const char* name) {
+      std::vector<std::pair<std::string, std::pair<double, double>>> texts;
+      for (const Mark& mark : part<ChainPicture>(name).drawing().marks)
+        if (const auto* label = std::get_if<Text>(&mark.what); label && label->bold)
+          texts.push_back({label->text, {label->center.x, label->center.y}});
+      return texts;
+    };
+    const auto own = labels("ownChain"), other = labels("otherChain");
+    QVERIFY(!own.empty());
+    QCOMPARE(own.size(), other.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      QCOMPARE(own[i].second, other[i].second);  // one drawing, two names
+      if (own[i].first == "2") QCOMPARE(other[i].first, std::string("4"));
+    }
+    details.compareWith(pathOf("simpson"));
+    settle();
+    QCOMPARE(text("comparison"), QString("simpson is a different chain."));
+    QVERIFY(!list.isVisibleTo(panel.get()));
+    open(test::example("simpson"));
+    QCOMPARE(text("comparison"), QString("simpson is the same chain."));
+    details.compareWith(pathOf("no-such-document"));
+    settle();
+    QVERIFY(text("comparison").startsWith("no-such-document: "));
+  }
+
   // Counts as in Yang, Ding et al., J. Mech. Des. 141(4), 2019, 043301.
   void filtersChangeCounts() {
     panel->setFilter({.links = 6, .dof = 1});
     QCOMPARE(model().rowCount(), 81);
-    QVERIFY2(text("count").startsWith("81 of ") && text("count").contains("27 equations"),
+    QVERIFY2(text("count").startsWith("81 of ") && text("count").contains("equations: 27"),
              qPrintable(text("count")));
     FilterChips& axes = chips("axes.3");
     QCOMPARE(axes.countOf(2) + axes.countOf(3) + axes.countOf(4) + axes.countOf(5), 81);
