@@ -43,6 +43,9 @@ QPen penOf(const Stroke& stroke, Theme theme, double scale) {
   return pen;
 }
 
+constexpr double kBandWidth = 4;  ///< of soft strokes: wider ones are bands under other marks
+constexpr double kBandOutline = 1.5;
+
 constexpr double kLong = 1500;  ///< px on screen, of a line that is worth cutting
 
 /// The part of a long line that can be seen, and how much of it is hidden before. Qt breaks a line into
@@ -106,6 +109,21 @@ struct ShapePainter {
   }
 };
 
+/// The centre line of a stroke; empty for circles and boxes.
+QPainterPath pathOf(const Shape& shape) {
+  if (const auto* curve = std::get_if<Curve>(&shape)) {
+    QPainterPath path(toQPoint(curve->from));
+    path.cubicTo(toQPoint(curve->leaving), toQPoint(curve->arriving), toQPoint(curve->to));
+    return path;
+  }
+  const auto* line = std::get_if<Polyline>(&shape);
+  if (line == nullptr || line->points.size() < 2) return {};
+  QPainterPath path(toQPoint(line->points.front()));
+  for (std::size_t i = 1; i < line->points.size(); ++i) path.lineTo(toQPoint(line->points[i]));
+  if (line->closed) path.closeSubpath();
+  return path;
+}
+
 struct MarkPainter {
   QPainter& painter;
   Theme theme;
@@ -122,7 +140,25 @@ struct MarkPainter {
     return true;
   }
 
+  /// At high contrast a soft colour is hardly one: a band is its outline in the full colour.
+  bool paintedAsOutline(const Stroke& stroke) const {
+    if (theme != Theme::highContrast || !stroke.tint.soft || stroke.width < kBandWidth) return false;
+    const QPainterPath path = pathOf(stroke.shape);
+    if (path.isEmpty()) return false;
+    QPainterPathStroker around;
+    around.setWidth(stroke.width - kBandOutline);
+    around.setCapStyle(Qt::FlatCap);
+    around.setJoinStyle(Qt::MiterJoin);
+    Tint full = stroke.tint;
+    full.soft = false;
+    painter.setPen(QPen(toQColor(colorOf(full, theme)), std::max(kBandOutline, kThinnestLine / scale)));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(around.createStroke(path).simplified());
+    return true;
+  }
+
   void operator()(const Stroke& stroke) const {
+    if (paintedAsOutline(stroke)) return;
     if (paintedAsDot(stroke.shape, toQColor(colorOf(stroke.tint, theme)))) return;
     QPen pen = penOf(stroke, theme, scale);
     painter.setBrush(Qt::NoBrush);
