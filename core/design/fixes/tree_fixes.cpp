@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <unordered_map>
 
 #include "core/design/fixes/fix_makers.h"
+#include "core/foundations/base/disjoint_sets.h"
+#include "core/foundations/base/position_index.h"
 #include "core/foundations/base/translation.h"
 #include "core/mechanism/model/edits.h"
 
@@ -11,24 +12,14 @@ namespace {
 /// One link of every part that hangs loose: the first of each in the document's order. Tying it ties the
 /// part.
 std::vector<LinkId> looseParts(const Mechanism& mechanism) {
-  std::unordered_map<LinkId, LinkId> above;
-  for (const Link& link : mechanism.links) above.emplace(link.id, link.id);
-  const auto rootOf = [&](LinkId link) {
-    while (above.at(link) != link) {
-      above.at(link) = above.at(above.at(link));
-      link = above.at(link);
-    }
-    return link;
-  };
-  for (const TurningJoint& joint : mechanism.turningJoints) above.at(rootOf(joint.head)) = rootOf(joint.tail);
-  std::vector<LinkId> seen{rootOf(mechanism.links.front().id)};
+  const PositionIndex<LinkTag> links(mechanism.links);
+  DisjointSets tied(mechanism.links.size());
+  for (const TurningJoint& joint : mechanism.turningJoints)
+    tied.join(links.positionOf(joint.tail), links.positionOf(joint.head));
   std::vector<LinkId> parts;
-  for (const Link& link : mechanism.links) {
-    const LinkId root = rootOf(link.id);
-    if (std::find(seen.begin(), seen.end(), root) != seen.end()) continue;
-    seen.push_back(root);
-    parts.push_back(link.id);
-  }
+  // A part is named by its first link; that of the ground hangs on it.
+  for (std::size_t link = 1; link < mechanism.links.size(); ++link)
+    if (tied.root(link) == link) parts.push_back(mechanism.links[link].id);
   return parts;
 }
 

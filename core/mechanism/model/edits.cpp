@@ -13,25 +13,13 @@
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/link_colors.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/rejections.h"
 #include "core/mechanism/model/validate.h"
 
 namespace geargraph {
 namespace {
 
 constexpr std::size_t kMaxNamedInALoop = 8;
-
-Diagnostic unknown(const ElementId& element) {
-  return {Code::unknownId,
-          translated("There is no \"%1\" in %2.", {element.id.text(), listName(element.kind)}),
-          {element},
-          {},
-          0,
-          0};
-}
-
-Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elements = {}) {
-  return {code, std::move(message), std::move(elements), {}, 0, 0};
-}
 
 template <class Element, class ElementIdType>
 Element* findIn(std::vector<Element>& list, ElementIdType id) {
@@ -88,7 +76,7 @@ Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, CanvasPoint
                                std::span<const std::pair<LinkId, CanvasPoint>> nodes) {
   const PositionIndex<LinkTag> links(mechanism.links);
   for (const auto& [link, point] : nodes) {
-    if (links.positionOf(link) < 0) return unknown(link);
+    if (links.positionOf(link) < 0) return unknownElement(link);
     (mechanism.view.*drawing)[link] = point;
   }
   return mechanism;
@@ -148,8 +136,8 @@ Expected<Mechanism> withLink(Mechanism mechanism, CanvasPoint at, std::string na
 }
 
 Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId head, AxisId axis) {
-  if (mechanism.find(tail) == nullptr) return unknown(tail);
-  if (mechanism.find(head) == nullptr) return unknown(head);
+  if (mechanism.find(tail) == nullptr) return unknownElement(tail);
+  if (mechanism.find(head) == nullptr) return unknownElement(head);
   if (tail == head) {
     return rejection(Code::selfJoint, translated("A turning joint needs two different links."), {tail});
   }
@@ -157,7 +145,7 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
     axis = freshAxisIds(mechanism, 1).front();
     mechanism.axes.push_back({axis, {}, {}});
   } else if (mechanism.find(axis) == nullptr) {
-    return unknown(axis);
+    return unknownElement(axis);
   }
   const JointId id(freshId(mechanism));
   mechanism.turningJoints.push_back({id, tail, head, axis, Number(0)});
@@ -166,8 +154,8 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
 
 Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, int tailTeeth,
                                  int headTeeth) {
-  if (mechanism.find(tail) == nullptr) return unknown(tail);
-  if (mechanism.find(head) == nullptr) return unknown(head);
+  if (mechanism.find(tail) == nullptr) return unknownElement(tail);
+  if (mechanism.find(head) == nullptr) return unknownElement(head);
   if (tail == head) {
     return rejection(Code::selfJoint, translated("A gear mesh needs two different links."), {tail});
   }
@@ -182,7 +170,7 @@ Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, 
 
 Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
                                      std::optional<CanvasPoint> at) {
-  if (mechanism.find(gear) == nullptr) return unknown(gear);
+  if (mechanism.find(gear) == nullptr) return unknownElement(gear);
   const LinkColors colors(mechanism);
   const LinkId link(freshId(mechanism));
   mechanism.links.push_back({link, {}});
@@ -257,14 +245,14 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
 Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
   if (element.kind == ElementKind::turningJoint) {
     TurningJoint* joint = findIn(mechanism.turningJoints, JointId(element.id));
-    if (joint == nullptr) return unknown(element);
+    if (joint == nullptr) return unknownElement(element);
     flip(*joint);
     for (Load& load : mechanism.loads) flipOnJoint(load, joint->id);
     return mechanism;
   }
   GearMesh* mesh =
       element.kind == ElementKind::gearMesh ? findIn(mechanism.gearMeshes, MeshId(element.id)) : nullptr;
-  if (mesh == nullptr) return unknown(element);
+  if (mesh == nullptr) return unknownElement(element);
   flip(*mesh);
   return mechanism;
 }
@@ -272,7 +260,7 @@ Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
 Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, const std::string& name) {
   if (element.kind == ElementKind::link) {
     Link* link = findIn(mechanism.links, LinkId(element.id));
-    if (link == nullptr) return unknown(element);
+    if (link == nullptr) return unknownElement(element);
     link->name = name;
     return mechanism;
   }
@@ -284,7 +272,7 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
   const AxisId from(element.id);
   const AxisId to{name};
   Axis* axis = findIn(mechanism.axes, from);
-  if (axis == nullptr) return unknown(element);
+  if (axis == nullptr) return unknownElement(element);
   if (to == from) return mechanism;
   if (to.empty()) return rejection(Code::schema, translated("An axis needs a name."), {element});
   if (mechanism.find(to) != nullptr) {
@@ -312,7 +300,7 @@ Expected<Mechanism> withTtNodesMoved(Mechanism mechanism,
 
 Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   found->tailTeeth = tailTeeth;
   found->headTeeth = headTeeth;
   for (const int teeth : {tailTeeth, headTeeth}) {
@@ -333,7 +321,7 @@ constexpr int kUsualRackModule = 2;  // of a rack
 
 Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional<MeshKind> kind) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   const bool hadNoTeeth = !statesTeeth(*found);
   found->kind = kind;
   const PairKind& now = pairKind(saidKind(*found));
@@ -378,7 +366,7 @@ Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional
 
 Expected<Mechanism> withHelixAngle(Mechanism mechanism, MeshId mesh, std::optional<Number> degrees) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   if (degrees && (degrees->exact().sign() < 0 || degrees->exact() >= Rational(90))) {
     return rejection(Code::schema,
                      translated("The helix angle of a gear mesh is at least 0 and below 90 degrees."),
@@ -390,21 +378,21 @@ Expected<Mechanism> withHelixAngle(Mechanism mechanism, MeshId mesh, std::option
 
 Expected<Mechanism> withHand(Mechanism mechanism, MeshId mesh, std::optional<Hand> hand) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   found->hand = hand;
   return mechanism;
 }
 
 Expected<Mechanism> withHerringbone(Mechanism mechanism, MeshId mesh, bool herringbone) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   found->herringbone = herringbone;
   return mechanism;
 }
 
 Expected<Mechanism> withCrossed(Mechanism mechanism, MeshId mesh, bool crossed) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   GEARGRAPH_REQUIRE(!crossed || pairKind(saidKind(*found)).canCross);
   found->crossed = crossed;
   return mechanism;
@@ -412,7 +400,7 @@ Expected<Mechanism> withCrossed(Mechanism mechanism, MeshId mesh, bool crossed) 
 
 Expected<Mechanism> withPitchPoint(Mechanism mechanism, MeshId mesh, std::optional<NumberTriple> pitchPoint) {
   GearMesh* found = findIn(mechanism.gearMeshes, mesh);
-  if (found == nullptr) return unknown(mesh);
+  if (found == nullptr) return unknownElement(mesh);
   found->pitchPoint = std::move(pitchPoint);
   return mechanism;
 }
@@ -420,7 +408,7 @@ Expected<Mechanism> withPitchPoint(Mechanism mechanism, MeshId mesh, std::option
 Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::optional<NumberTriple> point,
                                    std::optional<NumberTriple> direction) {
   Axis* found = findIn(mechanism.axes, axis);
-  if (found == nullptr) return unknown(axis);
+  if (found == nullptr) return unknownElement(axis);
   if (direction && isZero(*direction)) {
     return rejection(Code::schema, translated("The direction of axis %1 has length 0.", {axis.text()}),
                      {axis});
@@ -432,8 +420,8 @@ Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::option
 
 Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axis) {
   TurningJoint* found = findIn(mechanism.turningJoints, joint);
-  if (found == nullptr) return unknown(joint);
-  if (mechanism.find(axis) == nullptr) return unknown(axis);
+  if (found == nullptr) return unknownElement(joint);
+  if (mechanism.find(axis) == nullptr) return unknownElement(axis);
   const AxisId before = found->axis;
   found->axis = axis;
   dropUnusedAxes(mechanism, {before});
@@ -443,7 +431,7 @@ Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axi
 Expected<Mechanism> withNewAxis(Mechanism mechanism, std::span<const JointId> joints) {
   GEARGRAPH_REQUIRE(!joints.empty());
   const TurningJoint* first = mechanism.find(joints.front());
-  if (first == nullptr) return unknown(joints.front());
+  if (first == nullptr) return unknownElement(joints.front());
   Axis axis = *mechanism.find(first->axis);
   axis.id = freshAxisIds(mechanism, 1).front();
   const AxisId id = axis.id;
@@ -458,14 +446,14 @@ Expected<Mechanism> withNewAxis(Mechanism mechanism, std::span<const JointId> jo
 
 Expected<Mechanism> withOffset(Mechanism mechanism, JointId joint, const Number& offset) {
   TurningJoint* found = findIn(mechanism.turningJoints, joint);
-  if (found == nullptr) return unknown(joint);
+  if (found == nullptr) return unknownElement(joint);
   found->offset = offset;
   return mechanism;
 }
 
 Expected<Mechanism> withJointLimits(Mechanism mechanism, JointId joint, const JointLimits& limits) {
   TurningJoint* found = findIn(mechanism.turningJoints, joint);
-  if (found == nullptr) return unknown(joint);
+  if (found == nullptr) return unknownElement(joint);
   if (const auto problem = limitsProblem(limits)) return rejection(Code::schema, *problem, {joint});
   found->limits = limits;
   return mechanism;
@@ -476,7 +464,7 @@ Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<In
     const PositionIndex<JointTag> joints(mechanism.turningJoints);
     std::set<JointId> seen;
     for (const Input& input : *inputs) {
-      if (joints.positionOf(input.joint) < 0) return unknown(input.joint);
+      if (joints.positionOf(input.joint) < 0) return unknownElement(input.joint);
       if (!seen.insert(input.joint).second) {
         return rejection(Code::duplicateId, translated("The joint is an input already."), {input.joint});
       }
@@ -489,7 +477,7 @@ Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<In
 Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [link](const Link& candidate) { return candidate.id == link; });
-  if (found == mechanism.links.end()) return unknown(link);
+  if (found == mechanism.links.end()) return unknownElement(link);
   if (bearsLoad(mechanism, link)) {
     return rejection(
         Code::schema,

@@ -6,6 +6,7 @@
 #include "core/foundations/base/translation.h"
 #include "core/mechanism/model/checked_edit.h"
 #include "core/mechanism/model/load_checks.h"
+#include "core/mechanism/model/rejections.h"
 
 namespace geargraph {
 namespace {
@@ -62,14 +63,7 @@ Expected<Mechanism> withMeshLosses(Mechanism mechanism, MeshId mesh, std::option
                                    std::optional<Number> friction) {
   const auto found = std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
                                   [&](const GearMesh& each) { return each.id == mesh; });
-  if (found == mechanism.gearMeshes.end()) {
-    return Diagnostic{Code::unknownId,
-                      translated("There is no \"%1\" in %2.", {mesh.text(), "gearMeshes"}),
-                      {mesh},
-                      {},
-                      0,
-                      0};
-  }
+  if (found == mechanism.gearMeshes.end()) return unknownElement(mesh);
   if (const auto problem = lossProblem(efficiency, friction))
     return Diagnostic{Code::schema, problem->message, {mesh}, {}, 0, 0};
   found->efficiency = std::move(efficiency);

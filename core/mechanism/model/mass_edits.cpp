@@ -4,16 +4,14 @@
 
 #include "core/foundations/base/translation.h"
 #include "core/mechanism/model/checked_edit.h"
+#include "core/mechanism/model/rejections.h"
 
 namespace geargraph {
 
 Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link, std::optional<LinkMass> mass) {
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [link](const Link& each) { return each.id == link; });
-  if (found == mechanism.links.end()) {
-    return Diagnostic{
-        Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}), {link}, {}, 0, 0};
-  }
+  if (found == mechanism.links.end()) return unknownElement(link);
   found->mass = mass ? SharedOptional<LinkMass>(std::move(*mass)) : SharedOptional<LinkMass>();
   const auto position = found - mechanism.links.begin();
   return checkedEdit(std::move(mechanism), "/links/" + std::to_string(position) + "/", &massDiagnostics);

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "core/foundations/base/translation.h"
+#include "core/mechanism/model/rejections.h"
 
 namespace geargraph {
 namespace {
@@ -17,9 +18,7 @@ Diagnostic shapeRejection(Code code, std::string message, LinkId link) {
 Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, std::vector<LinkShape> shapes) {
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [&](const Link& each) { return each.id == link; });
-  if (found == mechanism.links.end())
-    return shapeRejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
-                          link);
+  if (found == mechanism.links.end()) return unknownElement(link);
   for (const LinkShape& shape : shapes) {
     if (!staysInFolder(shape.file)) {
       return shapeRejection(

@@ -4,13 +4,10 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/translation.h"
+#include "core/mechanism/model/rejections.h"
 
 namespace geargraph {
 namespace {
-
-Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elements = {}) {
-  return {code, std::move(message), std::move(elements), {}, 0, 0};
-}
 
 /// "A", "B", ... "Z", "A1", ...
 ShiftElementId freshCouplingId(const Mechanism& mechanism) {
@@ -25,20 +22,13 @@ ShiftElementId freshCouplingId(const Mechanism& mechanism) {
 Expected<Mechanism> withCoupling(Mechanism mechanism, ShiftElementKind kind, std::vector<LinkId> links,
                                  const std::string& id) {
   for (const LinkId link : links) {
-    if (mechanism.find(link) == nullptr)
-      return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
-                       {link});
+    if (mechanism.find(link) == nullptr) return unknownElement(link);
   }
   const ShiftElementId name = id.empty() ? freshCouplingId(mechanism) : ShiftElementId(id);
   if (mechanism.find(name) != nullptr)
     return rejection(Code::duplicateId, translated("There is a coupling \"%1\" already.", {id}), {name});
   mechanism.couplings.push_back({name, kind, std::move(links), {}});
   return mechanism;
-}
-
-Diagnostic noSuchCoupling(ShiftElementId coupling) {
-  return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {coupling.text(), "couplings"}),
-                   {coupling});
 }
 
 bool contains(const std::vector<ShiftElementId>& list, ShiftElementId coupling) {
@@ -62,9 +52,7 @@ bool isStateName(const Mechanism& mechanism, const std::string& name) {
 
 Expected<Mechanism> withEnd(Mechanism mechanism, int state, LinkId link,
                             std::optional<LinkId> ShiftState::*end) {
-  if (mechanism.find(link) == nullptr)
-    return rejection(Code::unknownId, translated("There is no \"%1\" in %2.", {link.text(), "links"}),
-                     {link});
+  if (mechanism.find(link) == nullptr) return unknownElement(link);
   if (state >= 0) {
     stateAt(mechanism, state).*end = link;
   } else {
@@ -98,7 +86,7 @@ Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, ShiftElementId coup
                                         const std::string& name) {
   const auto found = std::find_if(mechanism.couplings.begin(), mechanism.couplings.end(),
                                   [&](const ShiftElement& each) { return each.id == coupling; });
-  if (found == mechanism.couplings.end()) return noSuchCoupling(coupling);
+  if (found == mechanism.couplings.end()) return unknownElement(coupling);
   const ShiftElementId id(name);
   if (id == coupling) return mechanism;
   if (id.empty()) return rejection(Code::schema, translated("A coupling needs a name."), {coupling});
@@ -142,7 +130,7 @@ Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::
 }
 
 Expected<Mechanism> withEngaged(Mechanism mechanism, int state, ShiftElementId coupling, bool engaged) {
-  if (mechanism.find(coupling) == nullptr) return noSuchCoupling(coupling);
+  if (mechanism.find(coupling) == nullptr) return unknownElement(coupling);
   ShiftState& found = stateAt(mechanism, state);
   if (engaged && isFreewheel(mechanism, coupling)) {
     return rejection(Code::schema,
@@ -168,7 +156,7 @@ Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven) {
 
 Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<ShiftElementId>& engaged) {
   for (auto coupling = engaged.begin(); coupling != engaged.end(); ++coupling) {
-    if (mechanism.find(*coupling) == nullptr) return noSuchCoupling(*coupling);
+    if (mechanism.find(*coupling) == nullptr) return unknownElement(*coupling);
     if (std::find(engaged.begin(), coupling, *coupling) != coupling)
       return rejection(Code::duplicateId, translated("Coupling \"%1\" is listed twice.", {coupling->text()}),
                        {*coupling});

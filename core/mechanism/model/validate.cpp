@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/disjoint_sets.h"
 #include "core/foundations/base/text_lists.h"
 #include "core/foundations/base/translation.h"
 #include "core/mechanism/model/element_pointer.h"
@@ -426,25 +427,17 @@ class WellFormedCheck {
   std::unordered_map<WheelId, LinkId> m_linkOfWheel;
 };
 
-/// A forest of links (by position) that grows by turning joints: union-find while it grows, parents
-/// afterwards.
+/// A forest of links (by position) that grows by turning joints: sets while it grows, parents afterwards.
 class Forest {
  public:
-  explicit Forest(std::size_t links) : m_group(links), m_edges(links) {
-    for (std::size_t i = 0; i < links; ++i) m_group[i] = i;
-  }
+  explicit Forest(std::size_t links) : m_sets(links), m_edges(links) {}
 
-  [[nodiscard]] std::size_t rootOf(std::size_t link) {
-    while (m_group[link] != link) link = m_group[link] = m_group[m_group[link]];
-    return link;
-  }
+  [[nodiscard]] bool isTied(std::size_t a, std::size_t b) const { return m_sets.areJoined(a, b); }
 
   /// False where the two hang together already: then the joint would close a loop.
   bool join(std::size_t a, std::size_t b, std::size_t joint) {
-    const std::size_t rootA = rootOf(a);
-    const std::size_t rootB = rootOf(b);
-    if (rootA == rootB) return false;
-    m_group[rootA] = rootB;
+    if (m_sets.areJoined(a, b)) return false;
+    m_sets.join(a, b);
     m_edges[a].push_back({b, joint});
     m_edges[b].push_back({a, joint});
     return true;
@@ -490,7 +483,7 @@ class Forest {
     std::size_t link = 0;
     std::size_t joint = 0;
   };
-  std::vector<std::size_t> m_group;
+  DisjointSets m_sets;
   std::vector<std::vector<Edge>> m_edges;
   std::vector<Edge> m_parent;
   std::vector<std::size_t> m_depth;
@@ -572,7 +565,7 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   std::vector<ElementId> loose;
   std::vector<std::string> labels;
   for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
-    if (forest.rootOf(i) == forest.rootOf(0)) continue;
+    if (forest.isTied(i, 0)) continue;
     loose.emplace_back(mechanism.links[i].id);
     labels.push_back(std::to_string(i));
   }

@@ -1,5 +1,3 @@
-#include "core/mechanism/model/link_edits.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,32 +10,17 @@
 #include "core/foundations/base/translation.h"
 #include "core/foundations/base/triple.h"
 #include "core/mechanism/model/arrow_flips.h"
-#include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/joint_forest.h"
 #include "core/mechanism/model/link_colors.h"
+#include "core/mechanism/model/link_edits.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/rejections.h"
 #include "core/mechanism/model/validate.h"
 
 namespace geargraph {
 namespace {
 
 using Vector = ExactVector3;
-
-Diagnostic unknown(const ElementId& element) {
-  return {Code::unknownId,
-          translated("There is no \"%1\" in %2.", {element.id.text(), listName(element.kind)}),
-          {element},
-          {},
-          0,
-          0};
-}
-
-Diagnostic rejection(Code code, std::string message, std::vector<ElementId> elements = {}) {
-  return {code, std::move(message), std::move(elements), {}, 0, 0};
-}
-
-std::string label(const Mechanism& mechanism, const ElementId& element) {
-  return labelOf(mechanism, element).value_or(element.id.text());
-}
 
 // --- exact vectors ---------------------------------------------------------------------------------------
 
@@ -57,69 +40,7 @@ NumberTriple moved(const NumberTriple& point, const Vector& by) {
   return result;
 }
 
-// --- the tree of turning joints --------------------------------------------------------------------------
-
-/// The links by position as a rooted forest of turning joints; a joint that closes a loop is left out.
-class JointForest {
- public:
-  explicit JointForest(const Mechanism& mechanism)
-      : m_parent(mechanism.links.size(), -1),
-        m_joint(mechanism.links.size(), -1),
-        m_depth(mechanism.links.size(), 0) {
-    const PositionIndex<LinkTag> links(mechanism.links);
-    std::vector<std::vector<std::pair<int, int>>> edges(mechanism.links.size());
-    for (int j = 0; j < mechanism.t(); ++j) {
-      const TurningJoint& joint = mechanism.turningJoints[static_cast<std::size_t>(j)];
-      const int tail = links.positionOf(joint.tail);
-      const int head = links.positionOf(joint.head);
-      edges[static_cast<std::size_t>(tail)].emplace_back(head, j);
-      edges[static_cast<std::size_t>(head)].emplace_back(tail, j);
-    }
-    for (int root = 0; root < static_cast<int>(edges.size()); ++root) {
-      if (m_parent[static_cast<std::size_t>(root)] < 0) hangOn(root, edges);
-    }
-  }
-
-  /// The joints (positions) between two links, from `from` to `to`; empty if they are not connected.
-  [[nodiscard]] std::vector<int> path(int from, int to) const {
-    std::vector<int> up;
-    std::vector<int> down;
-    while (from != to) {
-      const bool climbs = depth(from) >= depth(to);
-      int& link = climbs ? from : to;
-      const int joint = m_joint[static_cast<std::size_t>(link)];
-      if (joint < 0) return {};
-      (climbs ? up : down).push_back(joint);
-      link = m_parent[static_cast<std::size_t>(link)];
-    }
-    up.insert(up.end(), down.rbegin(), down.rend());
-    return up;
-  }
-  /// The joint on which a link is carried, -1 for the root of a tree.
-  [[nodiscard]] int carryingJoint(int link) const { return m_joint[static_cast<std::size_t>(link)]; }
-
- private:
-  [[nodiscard]] int depth(int link) const { return m_depth[static_cast<std::size_t>(link)]; }
-
-  void hangOn(int root, const std::vector<std::vector<std::pair<int, int>>>& edges) {
-    std::vector<int> queue{root};
-    m_parent[static_cast<std::size_t>(root)] = root;
-    for (std::size_t at = 0; at < queue.size(); ++at) {
-      const int link = queue[at];
-      for (const auto& [next, joint] : edges[static_cast<std::size_t>(link)]) {
-        if (m_parent[static_cast<std::size_t>(next)] >= 0) continue;
-        m_parent[static_cast<std::size_t>(next)] = link;
-        m_joint[static_cast<std::size_t>(next)] = joint;
-        m_depth[static_cast<std::size_t>(next)] = depth(link) + 1;
-        queue.push_back(next);
-      }
-    }
-  }
-
-  std::vector<int> m_parent;
-  std::vector<int> m_joint;
-  std::vector<int> m_depth;
-};
+// --- axes that links share --------------------------------------------------------------------------------
 
 bool isOnOneAxis(const Mechanism& mechanism, const std::vector<int>& path) {
   return std::all_of(path.begin(), path.end(), [&](int joint) {
@@ -194,8 +115,9 @@ class Weld {
       if (!between) continue;
       return rejection(
           Code::selfJoint,
-          translated("Links %1 and %2 mesh with each other in mesh %3: delete it before you weld them.",
-                     {label(m_before, m_kept), label(m_before, m_other), label(m_before, mesh.id)}),
+          translated(
+              "Links %1 and %2 mesh with each other in mesh %3: delete it before you weld them.",
+              {labelOrId(m_before, m_kept), labelOrId(m_before, m_other), labelOrId(m_before, mesh.id)}),
           {mesh.id, m_kept, m_other});
     }
     for (const LinkId link : {m_kept, m_other}) {
@@ -204,7 +126,7 @@ class Weld {
           Code::schema,
           translated("The mass of link %1 is stated, and would be that of a part only: remove it "
                      "before you weld the link.",
-                     {label(m_before, link)}),
+                     {labelOrId(m_before, link)}),
           {link});
     }
     if (isGround() && isLoaded()) {
@@ -250,7 +172,7 @@ class Weld {
       return rejection(Code::schema,
                        translated("A load or balance is in joint %1, which the weld takes away: remove it "
                                   "first.",
-                                  {label(m_before, goes.id)}),
+                                  {labelOrId(m_before, goes.id)}),
                        {goes.id});
     }
     std::erase_if(m_result.turningJoints, [&](const TurningJoint& joint) { return joint.id == goes.id; });
@@ -264,7 +186,7 @@ class Weld {
         Code::turningLoop,
         translated("Links %1 and %2 cannot be one: it would turn about several axes. Links are welded whose "
                    "joints can lie on one axis.",
-                   {label(m_before, m_kept), label(m_before, m_other)}),
+                   {labelOrId(m_before, m_kept), labelOrId(m_before, m_other)}),
         {m_kept, m_other, goes.id});
     why.detail = Detail::turningCycle;
     return why;
@@ -303,7 +225,7 @@ class Weld {
       return rejection(Code::schema,
                        translated("The limits of joints %1 and %2 leave the welded link no angle to turn: "
                                   "change them first.",
-                                  {label(m_before, stays.id), label(m_before, goes.id)}),
+                                  {labelOrId(m_before, stays.id), labelOrId(m_before, goes.id)}),
                        {stays.id, goes.id});
     }
     for (Load& load : m_result.loads) {
@@ -433,11 +355,11 @@ class Weld {
   }
 
   Why axesRejection(const char* sentence, const Axis& into, const Axis& from) const {
-    Diagnostic why =
-        rejection(Code::turningLoop,
-                  filled(translated(sentence),
-                         {into.id.text(), from.id.text(), label(m_before, m_kept), label(m_before, m_other)}),
-                  {into.id, from.id, m_kept, m_other});
+    Diagnostic why = rejection(
+        Code::turningLoop,
+        filled(translated(sentence),
+               {into.id.text(), from.id.text(), labelOrId(m_before, m_kept), labelOrId(m_before, m_other)}),
+        {into.id, from.id, m_kept, m_other});
     why.detail = Detail::turningCycle;
     return why;
   }
@@ -515,7 +437,7 @@ class Weld {
       Diagnostic why = rejection(
           Code::turningLoop,
           translated("Links %1 and %2 cannot be one: both wheels of mesh %3 would turn about one axis.",
-                     {label(m_before, m_kept), label(m_before, m_other), label(m_before, mesh)}),
+                     {labelOrId(m_before, m_kept), labelOrId(m_before, m_other), labelOrId(m_before, mesh)}),
           {m_kept, m_other, mesh});
       why.detail = Detail::turningCycle;
       return why;
@@ -630,214 +552,16 @@ class Weld {
   LinkId m_other;
 };
 
-bool isOf(LinkId link, const TurningJoint& joint) {
-  return joint.tail == link || joint.head == link;
-}
-bool isOf(LinkId link, const GearMesh& mesh) {
-  return mesh.tail == link || mesh.head == link;
-}
-bool isOf(LinkId link, const ShiftElement& coupling) {
-  return std::find(coupling.links.begin(), coupling.links.end(), link) != coupling.links.end();
-}
-
-/// Is this joint, mesh or coupling one of the link? Cost: O(the length of its list).
-bool isOf(const Mechanism& mechanism, LinkId link, const ElementId& element) {
-  const auto isItsOwn = [&](const auto* found) { return found != nullptr && isOf(link, *found); };
-  switch (element.kind) {
-    case ElementKind::turningJoint:
-      return isItsOwn(mechanism.find(JointId(element.id)));
-    case ElementKind::gearMesh:
-      return isItsOwn(mechanism.find(MeshId(element.id)));
-    case ElementKind::coupling:
-      return isItsOwn(mechanism.find(ShiftElementId(element.id)));
-    default:
-      return false;
-  }
-}
-
-bool exists(const Mechanism& mechanism, const ElementId& element) {
-  switch (element.kind) {
-    case ElementKind::turningJoint:
-      return mechanism.find(JointId(element.id)) != nullptr;
-    case ElementKind::gearMesh:
-      return mechanism.find(MeshId(element.id)) != nullptr;
-    case ElementKind::coupling:
-      return mechanism.find(ShiftElementId(element.id)) != nullptr;
-    default:
-      return true;  // told as one that is no part of the link
-  }
-}
-
-/// The joint on which a link is carried towards the ground; null if there is none.
-const TurningJoint* carryingJointOf(const Mechanism& mechanism, LinkId link) {
-  const PositionIndex<LinkTag> links(mechanism.links);
-  const int joint = JointForest(mechanism).carryingJoint(links.positionOf(link));
-  return joint < 0 ? nullptr : &mechanism.turningJoints[static_cast<std::size_t>(joint)];
-}
-
-/// Gives the moved meshes wheels of the new link: those that only they name go along, others are copied.
-void moveWheels(Mechanism& mechanism, LinkId from, LinkId to, const std::unordered_set<ElementId>& moved) {
-  std::map<WheelId, WheelId> wheels;
-  std::set<WheelId> left;
-  const auto forEachEnd = [&](bool isMoved, const auto& use) {
-    for (GearMesh& mesh : mechanism.gearMeshes) {
-      if (moved.contains(mesh.id) != isMoved) continue;
-      if (mesh.tailWheel) use(*mesh.tailWheel);
-      if (mesh.headWheel) use(*mesh.headWheel);
-    }
-  };
-  forEachEnd(false, [&](const WheelId& wheel) { left.insert(wheel); });
-  forEachEnd(true, [&](WheelId& wheel) {
-    const auto found = std::find_if(mechanism.wheels.begin(), mechanism.wheels.end(),
-                                    [&](const Wheel& each) { return each.id == wheel; });
-    if (const auto known = wheels.find(wheel); known != wheels.end()) {
-      wheel = known->second;
-    } else if (found != mechanism.wheels.end() && found->link == from) {
-      const WheelId before = wheel;
-      if (left.contains(before)) {
-        Wheel copy = *found;
-        for (int i = 2; mechanism.find(copy.id) != nullptr; ++i)
-          copy.id = WheelId(before.text() + "." + std::to_string(i));
-        copy.link = to;
-        wheel = copy.id;
-        mechanism.wheels.push_back(std::move(copy));
-      } else {
-        found->link = to;
-      }
-      wheels.emplace(before, wheel);
-    }
-  });
-}
-
 }  // namespace
 
 Expected<Mechanism> withLinksMerged(Mechanism mechanism, LinkId kept, LinkId other) {
   for (const LinkId link : {kept, other}) {
-    if (mechanism.find(link) == nullptr) return unknown(link);
+    if (mechanism.find(link) == nullptr) return unknownElement(link);
   }
   if (kept == other)
     return rejection(Code::selfJoint, translated("A weld needs two different links."), {kept});
   if (other == mechanism.links.front().id) std::swap(kept, other);
   return Weld(std::move(mechanism), kept, other).run();
-}
-
-Expected<Mechanism> withLinkSplit(Mechanism mechanism, LinkId link, std::span<const ElementId> moving,
-                                  std::optional<CanvasPoint> at) {
-  const Link* const before = mechanism.find(link);
-  if (before == nullptr) return unknown(link);
-  if (link == mechanism.links.front().id) {
-    return rejection(Code::schema,
-                     translated("The ground cannot be split: nothing says about which axis its part turns."),
-                     {link});
-  }
-  const std::unordered_set<ElementId> moved(moving.begin(), moving.end());
-  for (const ElementId& element : moving) {
-    if (!exists(mechanism, element)) return unknown(element);
-    if (isOf(mechanism, link, element)) continue;
-    return rejection(Code::schema,
-                     translated("\"%1\" is no joint, mesh or coupling of link %2.",
-                                {element.id.text(), label(mechanism, link)}),
-                     {element, link});
-  }
-  const TurningJoint* const carrying = carryingJointOf(mechanism, link);
-  if (carrying == nullptr) {
-    return rejection(
-        Code::schema,
-        translated("Link %1 turns on no other link, so that its parts have no axis: draw its joint first.",
-                   {label(mechanism, link)}),
-        {link});
-  }
-  // The joint that carries the link is there for both parts.
-  std::size_t goes = 0;
-  std::size_t stays = 0;
-  const auto count = [&](const auto& list) {
-    for (const auto& each : list) {
-      if (isOf(link, each) && ElementId(each.id) != ElementId(carrying->id))
-        ++(moved.contains(each.id) ? goes : stays);
-    }
-  };
-  count(mechanism.turningJoints);
-  count(mechanism.gearMeshes);
-  count(mechanism.couplings);
-  if (goes == 0 || stays == 0) {
-    return rejection(Code::schema,
-                     translated("To split link %1, choose some of its joints and meshes, and leave others: "
-                                "the new link takes those that you choose.",
-                                {label(mechanism, link)}),
-                     {link});
-  }
-
-  const LinkColors colors(mechanism);
-  const std::vector<std::string> ids = freshIds(mechanism, 2);
-  const LinkId part(ids[0]);
-  TurningJoint joint = *carrying;
-  joint.id = JointId(ids[1]);
-  joint.limits = {};
-  joint.unknown = {};
-  if (!moved.contains(carrying->id)) (joint.tail == link ? joint.tail : joint.head) = part;
-  const auto move = [&](LinkId& end) {
-    if (end == link) end = part;
-  };
-  for (TurningJoint& each : mechanism.turningJoints) {
-    if (!moved.contains(each.id)) continue;
-    move(each.tail);
-    move(each.head);
-  }
-  for (GearMesh& mesh : mechanism.gearMeshes) {
-    if (!moved.contains(mesh.id)) continue;
-    move(mesh.tail);
-    move(mesh.head);
-  }
-  for (ShiftElement& coupling : mechanism.couplings) {
-    if (!moved.contains(coupling.id)) continue;
-    for (LinkId& end : coupling.links) move(end);
-  }
-  mechanism.links.push_back({part, {}});
-  mechanism.turningJoints.push_back(std::move(joint));
-  moveWheels(mechanism, link, part, moved);
-  if (at) mechanism.view.nodes[part] = *at;
-  colors.keepIn(mechanism);
-  return mechanism;
-}
-
-std::vector<ElementId> lastSideOf(const Mechanism& mechanism, LinkId link) {
-  if (mechanism.find(link) == nullptr || link == mechanism.links.front().id) return {};
-  const TurningJoint* const carrying = carryingJointOf(mechanism, link);
-  if (carrying == nullptr) return {};
-  const PositionIndex<LinkTag> links(mechanism.links);
-  const LinkId carrier = carrying->tail == link ? carrying->head : carrying->tail;
-  DisjointSets groups(mechanism.links.size());
-  const auto isOpen = [&](LinkId each) {
-    return each != link && each != carrier && each != mechanism.links.front().id;
-  };
-  const auto position = [&](LinkId each) { return static_cast<std::size_t>(links.positionOf(each)); };
-  const auto join = [&](LinkId a, LinkId b) {
-    if (isOpen(a) && isOpen(b)) groups.join(position(a), position(b));
-  };
-  for (const TurningJoint& joint : mechanism.turningJoints) join(joint.tail, joint.head);
-  for (const GearMesh& mesh : mechanism.gearMeshes) join(mesh.tail, mesh.head);
-
-  // What is on the link, by the group of its other end; what ends on the carrier or the ground is no side.
-  struct Side {
-    std::vector<ElementId> elements;
-    std::size_t last = 0;  ///< position of the link that was drawn last
-  };
-  std::map<std::size_t, Side> sides;
-  const auto add = [&](const ElementId& element, LinkId a, LinkId b) {
-    if (a != link && b != link) return;
-    const LinkId end = a == link ? b : a;
-    if (isOpen(end)) sides[groups.root(position(end))].elements.push_back(element);
-  };
-  for (const TurningJoint& joint : mechanism.turningJoints) add(joint.id, joint.tail, joint.head);
-  for (const GearMesh& mesh : mechanism.gearMeshes) add(mesh.id, mesh.tail, mesh.head);
-  if (sides.size() < 2) return {};
-  for (const Link& each : mechanism.links) {
-    const auto side = isOpen(each.id) ? sides.find(groups.root(position(each.id))) : sides.end();
-    if (side != sides.end()) side->second.last = position(each.id);
-  }
-  return std::max_element(sides.begin(), sides.end(),
-                          [](const auto& a, const auto& b) { return a.second.last < b.second.last; })
-      ->second.elements;
 }
 
 }  // namespace geargraph
