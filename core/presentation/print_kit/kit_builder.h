@@ -88,6 +88,12 @@ struct KitBuilder {
   std::string engrave(PlateShape& shape, LinkOrdinal link) const;
 };
 
+/// Directions that differ by less are one: the sine of the angle between them.
+constexpr double kParallelDirections = 1e-6;
+[[nodiscard]] inline bool areParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.cross(b).norm() < kParallelDirections;
+}
+
 /// A hole for a screw, clockwise, from `low` to `high`, with its head in the upper or the lower face.
 [[nodiscard]] std::vector<Rim> screwHole(const Eigen::Vector2d& centre, double low, double high,
                                          bool isHeadAbove);
