@@ -117,7 +117,7 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
   Parts parts;
   const HandoutLevers levers = handoutLevers(*snapshot, stop);
   parts.drawings = drawingsSection(drawings, levers);
-  parts.matrices = matricesSection(*snapshot);
+  parts.matrices = matricesSection(snapshot);
   parts.solution = solutionSection(*snapshot, stop);
   parts.derivation = derivationSection(report);
   if (exercises) {

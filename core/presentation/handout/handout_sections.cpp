@@ -8,6 +8,7 @@
 #include "core/foundations/base/text_lists.h"
 #include "core/foundations/base/translation.h"
 #include "core/presentation/report/report_words.h"
+#include "core/teaching/derivation/named_results.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/states/state_solution.h"
 
@@ -46,38 +47,49 @@ std::string scrolled(const std::string& name, const std::string& table) {
          table + "</div>\n";
 }
 
-std::string matrixTable(const IntegerMatrix& matrix) {
-  const std::string name = translated(matrixTitle(matrix.kind()));
-  const std::string symbol = escapedXml(matrixSymbol(matrix.kind()));
-  std::string text = "<h3 data-name=\"" + symbol + "\">" + escapedXml(name) + " " + symbol;
-  if (const std::string number = cited(matrixEquation(matrix.kind())); !number.empty()) text += ' ' + number;
-  text += "</h3>\n";
-  const auto begins = [&](int column) { return column > 0 && matrix.partition() == column; };
+/// A result as a table: `nameOf` a heading, `textOf` an entry that is not 0.
+template <class NameOf, class TextOf>
+std::string tableOf(const ResultTable& result, const std::string& name, const NameOf& nameOf,
+                    const TextOf& textOf) {
+  const auto begins = [&](int column) { return column > 0 && result.partition() == column; };
   std::string table = "<table class=\"matrix\"><thead><tr><td></td>";
-  for (int column = 0; column < matrix.columns(); ++column) {
-    const Heading heading = matrix.columnHeading(column);
-    table += head(heading.text, heading.element, "col", begins(column));
+  for (int column = 0; column < result.columns(); ++column) {
+    const Heading heading = result.columnHeading(column);
+    table += head(nameOf(heading), heading.element, "col", begins(column));
   }
   table += "</tr></thead>\n<tbody>\n";
-  for (int row = 0; row < matrix.rows(); ++row) {
-    const Heading heading = matrix.rowHeading(row);
-    table += "<tr" + elementAttribute(heading.element) + ">" + head(heading.text, heading.element, "row");
-    for (int column = 0; column < matrix.columns(); ++column) {
-      const int entry = matrix.entry(row, column);
-      table += cell(std::to_string(entry), entry, begins(column));
+  for (int row = 0; row < result.rows(); ++row) {
+    const Heading heading = result.rowHeading(row);
+    table += "<tr" + elementAttribute(heading.element) + ">" + head(nameOf(heading), heading.element, "row");
+    const std::vector<ResultEntry> entries = result.row(row);
+    auto next = entries.begin();
+    for (int column = 0; column < result.columns(); ++column) {
+      const bool isHere = next != entries.end() && next->column == column && next->value != 0;
+      table += isHere ? cell(textOf(*next), next->value < 0 ? -1 : 1, begins(column))
+                      : cell({}, 0, begins(column));
+      if (next != entries.end() && next->column == column) ++next;
     }
     table += "</tr>\n";
   }
-  return text + scrolled(name, table + "</tbody></table>");
+  return scrolled(name, table + "</tbody></table>");
 }
 
-/// An entry of P: exact where the radius is a fraction, else four decimal places.
-std::string lengthText(const CoefficientMatrix& matrix, MeshOrdinal mesh,
-                       const CoefficientMatrix::Entry& entry) {
-  if (const auto radius = matrix.exactRadius(mesh, entry.tail))
-    return (entry.length < 0 ? "-" : "") + radius->toString();
+std::string matrixTable(const ResultTable& matrix, MatrixKind kind) {
+  const std::string name = translated(matrixTitle(kind));
+  const std::string symbol = escapedXml(matrixSymbol(kind));
+  std::string text = "<h3 data-name=\"" + symbol + "\">" + escapedXml(name) + " " + symbol;
+  if (const std::string number = cited(matrixEquation(kind)); !number.empty()) text += ' ' + number;
+  return text + "</h3>\n" +
+         tableOf(
+             matrix, name, [](const Heading& heading) { return heading.text; },
+             [](const ResultEntry& entry) { return entry.text; });
+}
+
+/// An entry of P: exact where the radius is a fraction, else four digits.
+std::string lengthText(const ResultEntry& entry) {
+  if (!entry.text.starts_with("\u2248")) return entry.text;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", entry.length);
+  std::snprintf(text.data(), text.size(), "%.4g", entry.value);
   return localizedNumber(text.data());
 }
 
@@ -109,31 +121,17 @@ std::string rowEquations(const AnalysisSnapshot& snapshot, const CoefficientMatr
   return reportHtmlBlocks(blocks);
 }
 
-std::string coefficientTable(const AnalysisSnapshot& snapshot) {
-  const Digraph& graph = *snapshot.graph;
+std::string coefficientTable(const ResultSource& source) {
+  const AnalysisSnapshot& snapshot = *source.snapshot;
+  const ResultTablePtr table = resultTable(*resultNamed("p"), source, EntryForm::fractions);
+  if (!table) return {};
+  const std::string title = translated("Coefficient matrix P (18), (19), in %1", {snapshot.mechanism->unit});
   const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
                                  snapshot.kinematics->placement());
-  std::string table = "<table class=\"matrix\"><thead><tr><td></td>";
-  for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint)
-    table += head(std::to_string(graph.edgeLabel(joint)), graph.edgeId(joint), "col");
-  table += "</tr></thead>\n<tbody>\n";
-  for (MeshOrdinal mesh = 0; mesh < matrix.rows(); ++mesh) {
-    const ElementId element = graph.edgeId(graph.t() + mesh);
-    table += "<tr" + elementAttribute(element) + ">" +
-             head(std::to_string(graph.edgeLabel(graph.t() + mesh)), element, "row");
-    const auto entries = matrix.row(mesh);
-    auto next = entries.begin();
-    for (JointOrdinal joint = 0; joint < matrix.columns(); ++joint) {
-      const bool isHere = next != entries.end() && next->joint == joint;
-      table += isHere ? cell(lengthText(matrix, mesh, *next), next->length < 0 ? -1 : 1, false)
-                      : cell({}, 0, false);
-      if (isHere) ++next;
-    }
-    table += "</tr>\n";
-  }
-  const std::string title = translated("Coefficient matrix P (18), (19), in %1", {snapshot.mechanism->unit});
   return "<h3 data-name=\"P\">" + escapedXml(title) + "</h3>\n" +
-         scrolled(translated("Coefficient matrix"), table + "</tbody></table>") +
+         tableOf(
+             *table, translated("Coefficient matrix"),
+             [](const Heading& heading) { return std::to_string(heading.label); }, lengthText) +
          rowEquations(snapshot, matrix);
 }
 
@@ -178,12 +176,13 @@ std::string trainSection(const std::string& still) {
   return text + "</div>\n<noscript><p>" + escapedXml(withoutScripts) + "</p></noscript>\n";
 }
 
-std::string matricesSection(const AnalysisSnapshot& snapshot) {
+std::string matricesSection(const SnapshotPtr& snapshot) {
   std::string text = heading(translated("Matrices"));
+  const ResultSource source{snapshot};
   for (const MatrixKind kind : allMatrixKinds()) {
-    if (const IntegerMatrixPtr& matrix = snapshot.matrix(kind)) text += matrixTable(*matrix);
+    if (const ResultTablePtr matrix = exactTable(resultOf(kind), source)) text += matrixTable(*matrix, kind);
   }
-  if (snapshot.kinematics && snapshot.kinematics->model) text += coefficientTable(snapshot);
+  if (snapshot->kinematics && snapshot->kinematics->model) text += coefficientTable(source);
   return text;
 }
 

@@ -17,7 +17,7 @@ namespace geargraph {
 /// A figure for each drawing that is not empty.
 [[nodiscard]] std::string drawingsSection(const ReportDrawings& drawings, const HandoutLevers& levers);
 /// Tables of the matrices (1)-(5) and of P, with headings that name their elements.
-[[nodiscard]] std::string matricesSection(const AnalysisSnapshot& snapshot);
+[[nodiscard]] std::string matricesSection(const SnapshotPtr& snapshot);
 /// The picture shown where the train cannot be shown in 3D: `still`, a PNG, in base64; or none.
 [[nodiscard]] std::string trainSection(const std::string& still);
 /// The outputs as fractions of the inputs, the speeds of all joints now, and the states of a gearbox. The
