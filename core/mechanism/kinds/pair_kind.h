@@ -29,7 +29,7 @@ enum class MeshKind : std::uint8_t {
 }  // namespace geargraph
 
 template <>
-inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 9;
+inline constexpr std::size_t geargraph::kNamedKinds<geargraph::MeshKind> = 11;
 
 namespace geargraph {
 
