@@ -18989,6 +18989,46 @@ Radpaare / Steg: %3</translation>
         <translation>am Antrieb</translation>
     </message>
     <message>
+        <source>Dashed: what either motor may do alone, for some angle of the other.</source>
+        <translation>Gestrichelt: was jeder Motor allein darf, bei irgendeinem Winkel des anderen.</translation>
+    </message>
+    <message>
+        <source>Degrees from the reference pose; all other motors stand in it.</source>
+        <translation>Grad ab der Bezugslage; alle anderen Motoren stehen in ihr.</translation>
+    </message>
+    <message>
+        <source>Dotted sides are open: nothing limits the motors there.</source>
+        <translation>Gepunktete Seiten sind offen: Dort begrenzt nichts die Motoren.</translation>
+    </message>
+    <message>
+        <source>Limits that these motors never reach: those of joints %1.</source>
+        <translation>Grenzen, die diese Motoren nie erreichen: die der Gelenke %1.</translation>
+    </message>
+    <message>
+        <source>No joint that turns with these motors has limits.</source>
+        <translation>Kein Gelenk, das sich mit diesen Motoren dreht, hat Grenzen.</translation>
+    </message>
+    <message>
+        <source>Nothing moves that limits could stop.</source>
+        <translation>Nichts bewegt sich, was Grenzen anhalten könnten.</translation>
+    </message>
+    <message>
+        <source>The mechanism is too large for exact limits.</source>
+        <translation>Das Getriebe ist für exakte Grenzen zu groß.</translation>
+    </message>
+    <message>
+        <source>There are not two motors.</source>
+        <translation>Es gibt keine zwei Motoren.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2</source>
+        <translation>Gelenk %1 bei %2</translation>
+    </message>
+    <message>
+        <source>motor %1, degrees</source>
+        <translation>Motor %1, Grad</translation>
+    </message>
+    <message>
         <source>cycles for a turn of the shaft (%1)</source>
         <translation>Schwingungen je Umdrehung der Welle (%1)</translation>
     </message>

@@ -18989,6 +18989,46 @@ pares / portasatélites: %3</translation>
         <translation>en la entrada</translation>
     </message>
     <message>
+        <source>Dashed: what either motor may do alone, for some angle of the other.</source>
+        <translation>A trazos: lo que cada motor puede hacer solo, con algún ángulo del otro.</translation>
+    </message>
+    <message>
+        <source>Degrees from the reference pose; all other motors stand in it.</source>
+        <translation>Grados desde la pose de referencia; los demás motores están en ella.</translation>
+    </message>
+    <message>
+        <source>Dotted sides are open: nothing limits the motors there.</source>
+        <translation>Los lados punteados están abiertos: allí nada limita los motores.</translation>
+    </message>
+    <message>
+        <source>Limits that these motors never reach: those of joints %1.</source>
+        <translation>Límites que estos motores nunca alcanzan: los de los pares %1.</translation>
+    </message>
+    <message>
+        <source>No joint that turns with these motors has limits.</source>
+        <translation>Ningún par que gira con estos motores tiene límites.</translation>
+    </message>
+    <message>
+        <source>Nothing moves that limits could stop.</source>
+        <translation>No se mueve nada que los límites pudieran detener.</translation>
+    </message>
+    <message>
+        <source>The mechanism is too large for exact limits.</source>
+        <translation>El mecanismo es demasiado grande para límites exactos.</translation>
+    </message>
+    <message>
+        <source>There are not two motors.</source>
+        <translation>No hay dos motores.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2</source>
+        <translation>par %1 en %2</translation>
+    </message>
+    <message>
+        <source>motor %1, degrees</source>
+        <translation>motor %1, grados</translation>
+    </message>
+    <message>
         <source>cycles for a turn of the shaft (%1)</source>
         <translation>ciclos por vuelta del eje (%1)</translation>
     </message>

@@ -18987,6 +18987,46 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <translation>girişte</translation>
     </message>
     <message>
+        <source>Dashed: what either motor may do alone, for some angle of the other.</source>
+        <translation>Kesikli: diğerinin bir açısı için her motorun tek başına yapabildiği.</translation>
+    </message>
+    <message>
+        <source>Degrees from the reference pose; all other motors stand in it.</source>
+        <translation>Referans konumundan derece; diğer tüm motorlar bu konumdadır.</translation>
+    </message>
+    <message>
+        <source>Dotted sides are open: nothing limits the motors there.</source>
+        <translation>Noktalı kenarlar açıktır: orada motorları sınırlayan bir şey yoktur.</translation>
+    </message>
+    <message>
+        <source>Limits that these motors never reach: those of joints %1.</source>
+        <translation>Bu motorların hiç ulaşmadığı sınırlar: %1 numaralı mafsallarınkiler.</translation>
+    </message>
+    <message>
+        <source>No joint that turns with these motors has limits.</source>
+        <translation>Bu motorlarla dönen hiçbir mafsalın sınırı yok.</translation>
+    </message>
+    <message>
+        <source>Nothing moves that limits could stop.</source>
+        <translation>Sınırların durdurabileceği hiçbir şey hareket etmiyor.</translation>
+    </message>
+    <message>
+        <source>The mechanism is too large for exact limits.</source>
+        <translation>Mekanizma kesin sınırlar için çok büyük.</translation>
+    </message>
+    <message>
+        <source>There are not two motors.</source>
+        <translation>İki motor yok.</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2</source>
+        <translation>%1 mafsalı %2 değerinde</translation>
+    </message>
+    <message>
+        <source>motor %1, degrees</source>
+        <translation>motor %1, derece</translation>
+    </message>
+    <message>
         <source>cycles for a turn of the shaft (%1)</source>
         <translation>milin bir turu başına çevrim (%1)</translation>
     </message>

@@ -1,4 +1,5 @@
 #include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -69,6 +70,38 @@ class CliCouplingTest : public QObject {
   [[nodiscard]] QString file(const char* name) const { return m_place.filePath(QString::fromLatin1(name)); }
 
  private slots:
+  void rangeOfTwoMotorsHasItsCornersWhereLimitsMeet() {
+    const Run drawn = run({"export", coupledExample("robot"), "--to", "svg", "--view", "motors", "-o", "-"});
+    QCOMPARE(drawn.status, 0);
+    const QString svg = QString::fromStdString(drawn.output);
+    for (const char* text : {"motor 8, degrees", "motor 9, degrees", "joint 10 at 170", "joint 12 at -110"})
+      QVERIFY2(svg.contains(text), text);
+    QVERIFY(svg.contains("those of joints 14"));  // it turns with motor 11 only
+    const auto coupling = parsed(run({"export", coupledExample("robot"), "--to", "coupling", "-o", "-"}));
+    const FractionRows gains = fractionsOf(coupling["motorToJoint"]);
+    static const QRegularExpression kCorner("\\((-?[0-9./]+); (-?[0-9./]+)\\)");
+    int corners = 0;
+    for (auto found = kCorner.globalMatch(svg); found.hasNext(); ++corners) {
+      const QRegularExpressionMatch corner = found.next();
+      const Rational x = *Rational::fromText(corner.captured(1).toStdString());
+      const Rational y = *Rational::fromText(corner.captured(2).toStdString());
+      int met = 0;
+      for (std::size_t joint = 0; joint < gains.size(); ++joint) {
+        const auto& own = coupling["limits"]["joints"][joint];
+        const Rational angle = gains[joint][0] * x + gains[joint][1] * y;
+        const Rational low = *Rational::fromText(own["low"].get<std::string>());
+        const Rational high = *Rational::fromText(own["high"].get<std::string>());
+        QVERIFY(low <= angle && angle <= high);
+        met += angle == low || angle == high ? 1 : 0;
+      }
+      QCOMPARE(met, 2);
+    }
+    QCOMPARE(corners, 4);
+    const Run one =
+        run({"export", coupledExample("spur-pair"), "--to", "svg", "--view", "motors", "-o", "-"});
+    QVERIFY(QString::fromStdString(one.output).contains("There are not two motors."));
+  }
+
   /// Rows 10, 12 and 14 of Eq. (45), which the chain to the end-effector has.
   void theRobotsChainIsThatOfItsHand() {
     const Run call = run({"export", kRobotFile(), "--to", "coupling", "-o", "-"});

@@ -163,7 +163,7 @@ def test_backlash():
     assert len(gg.sets.ravigneaux().analyze().backlash) == len(gg.sets.ravigneaux().analyze().states)
 
 
-@pytest.mark.parametrize("name", ["schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach", "spectrum"])
+@pytest.mark.parametrize("name", ["schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach", "spectrum", "motors"])
 def test_drawings(robot, name, tmp_path):
     drawing = robot.analyze().drawing(name)
     root = ElementTree.fromstring(drawing.svg)

@@ -40,7 +40,8 @@ class Exports:
 
         Parameters
         ----------
-        name : {"schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach", "spectrum"}, optional
+        name : {"schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach", "spectrum",
+            "motors"}, optional
             Functional schematic (ISO 3952), digraph [paper, Fig. 2], T-T graph [Fig. 5].
         dark : bool, optional
             On a dark ground.

@@ -17,8 +17,8 @@ class Drawing:
     Attributes
     ----------
     name : str
-        "schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach" or
-        "spectrum".
+        "schematic", "digraph", "ttgraph", "levers", "nomogram", "plan", "kutzbach",
+        "spectrum" or "motors".
     """
 
     __slots__ = ("name", "_snapshot", "_dark", "_transparent", "_size")

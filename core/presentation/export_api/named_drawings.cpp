@@ -4,6 +4,7 @@
 
 #include "core/foundations/base/translation.h"
 #include "core/presentation/diagrams/lever_drawing.h"
+#include "core/presentation/diagrams/motor_range_drawing.h"
 #include "core/presentation/diagrams/nomogram.h"
 #include "core/presentation/diagrams/point_plan.h"
 #include "core/presentation/diagrams/power_drawing.h"
@@ -93,11 +94,29 @@ DisplayList spectrum(const AnalysisSnapshot& snapshot, const DrawnPower* /*power
   return spectrumDrawing(mechanism, found->lines, title, absenceText(mechanism, *found));
 }
 
+/// The range of the first two motors.
+DisplayList motors(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
+                   const std::stop_token& stop) {
+  const MatroidAnalysis* matroid = snapshot.matroid();
+  if (matroid == nullptr || !matroid->solution)
+    return motorRangeAbsence(translated("Nothing moves that limits could stop."));
+  if (matroid->choice.joints.size() < 2) return motorRangeAbsence(translated("There are not two motors."));
+  const auto exact = solveExact(*snapshot.kinematics->model, matroid->choice.joints, matroid->speeds, stop);
+  if (!exact) return {};
+  if (exact->matrix.empty() && !exact->outputs.empty())
+    return motorRangeAbsence(translated("The mechanism is too large for exact limits."));
+  const auto range =
+      motorRange(*snapshot.mechanism, *exact, JointOrdinal(exact->inputs[0]), JointOrdinal(exact->inputs[1]));
+  if (!range) return motorRangeAbsence(translated("The mechanism is too large for exact limits."));
+  return motorRangeDrawing(*snapshot.mechanism, *range);
+}
+
 constexpr std::array kDrawings = {
     NamedDrawing{"digraph", digraph},          NamedDrawing{"ttgraph", ttGraph, false},
     NamedDrawing{"schematic", schematic},      NamedDrawing{"levers", levers, false},
     NamedDrawing{"nomogram", nomogram, false}, NamedDrawing{"plan", plan, false},
-    NamedDrawing{"kutzbach", kutzbach, false}, NamedDrawing{"spectrum", spectrum, false}};
+    NamedDrawing{"kutzbach", kutzbach, false}, NamedDrawing{"spectrum", spectrum, false},
+    NamedDrawing{"motors", motors, false}};
 
 }  // namespace
 

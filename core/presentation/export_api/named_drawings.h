@@ -30,7 +30,7 @@ struct NamedDrawing {
 [[nodiscard]] std::span<const NamedDrawing> drawings();
 /// Null if there is none.
 [[nodiscard]] const NamedDrawing* drawingNamed(std::string_view name);
-/// "digraph, ttgraph, schematic, levers, nomogram, plan, kutzbach, spectrum"
+/// "digraph, ttgraph, schematic, levers, nomogram, plan, kutzbach, spectrum, motors"
 [[nodiscard]] std::string drawingNames();
 
 }  // namespace geargraph
