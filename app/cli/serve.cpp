@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/served_command.h"
+#include "app/cli/served_folder.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/base/translation.h"
 #include "core/foundations/files/file.h"
@@ -41,6 +43,33 @@ const Command& commandNamed(std::string_view name) {
                         [&](const Command* command) { return command->name == name; });
 }
 
+/// As runServed(); an export of a folder writes where nothing of it is left, and its files are in the outcome.
+HostedOutcome runHosted(const Command& command, std::vector<std::string> words, const HostedTexts& texts,
+                        const ServedLimits& limits) {
+  if (&command != &kExport || !asksForFolder(words))
+    return runServed(command, std::move(words), texts, limits);
+  HostedOutcome outcome;
+  const auto output = std::find(words.begin(), words.end(), "-o");
+  if (output == words.end()) {
+    outcome.failureCode = "request";
+    outcome.failure = "A folder needs -o \"-\".";
+    return outcome;
+  }
+  const ServedFolder folder;
+  if (!folder.isMade()) {
+    outcome.failure = "There is no place for files until they are sent.";
+    return outcome;
+  }
+  *(output + 1) = folder.path();
+  outcome = runServed(command, std::move(words), texts, limits);
+  outcome.files = folder.files();
+  if (outcome.status == kFine && !outcome.files) {
+    outcome.status.reset();
+    outcome.failure = "The files of the folder cannot be read, or one is too large.";
+  }
+  return outcome;
+}
+
 /// The next line of standard input, without its end; none at the end, or where it is too long.
 std::optional<std::string> nextLine() {
   std::string line;
@@ -69,7 +98,7 @@ int runServe(const Arguments& arguments) {
   }
   RequestServer server(servedMethods(), [&](const HostedMethod& method, std::vector<std::string> words,
                                             const HostedTexts& texts) {
-    return runServed(commandNamed(method.name), std::move(words), texts, limits);
+    return runHosted(commandNamed(method.name), std::move(words), texts, limits);
   });
   StandardOutput out;
   while (const auto line = nextLine()) {

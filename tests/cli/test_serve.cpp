@@ -1,7 +1,9 @@
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -204,6 +206,47 @@ class ServeTest : public QObject {
     const QByteArray bytes =
         QByteArray::fromBase64(QByteArray::fromStdString(png.at("base64").get<std::string>()));
     QVERIFY(bytes.startsWith("\x89PNG") && bytes.contains("IEND"));
+  }
+
+  void aFolderComesAsFiles() {
+    QTemporaryDir place;  // of what the program keeps until it answers
+    const QByteArray before = qgetenv("TMPDIR");
+    qputenv("TMPDIR", place.path().toUtf8());
+    Served served;
+    before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+    const std::string document = served.open(exampleDocument("spur-pair").dump());
+    const auto ask = [&](const json& words) {
+      return served.ask("export", {{"document", document}, {"arguments", words}});
+    };
+    const json kit = ask({"--to", "kit", "--play", "0.2", "-o", "-"}).at("result");
+    QCOMPARE(kit.at("status"), json(0));
+    QCOMPARE(kit.at("output"), json(""));
+    std::set<std::string> names;
+    for (const json& file : kit.at("files")) {
+      const std::string name = file.at("name");
+      names.insert(name);
+      if (name == "assembly.html")
+        QVERIFY(file.at("text").get<std::string>().find("0.2") != std::string::npos);
+      if (name == "plate-1.3mf") {
+        const auto bytes =
+            QByteArray::fromBase64(QByteArray::fromStdString(file.at("base64").get<std::string>()));
+        QVERIFY(bytes.startsWith("PK"));
+      }
+    }
+    QCOMPARE(names, (std::set<std::string>{"assembly.3mf", "assembly.html", "plate-1.3mf"}));
+    // Files in folders of their own.
+    const json model = ask({"--to", "urdf", "-o", "-"}).at("result");
+    QVERIFY(std::any_of(model.at("files").begin(), model.at("files").end(), [](const json& file) {
+      return file.at("name").get<std::string>().find('/') != std::string::npos;
+    }));
+    // All of them or none: the plate is too small for the wheel.
+    const json small = ask({"--to", "kit", "--bed", "50x50", "--scale", "3", "-o", "-"}).at("result");
+    QCOMPARE(small.at("status"), json(3));
+    QVERIFY(!small.contains("files"));
+    QVERIFY(small.at("messages").get<std::string>().find("does not fit the plate") != std::string::npos);
+    QCOMPARE(ask({"--to", "kit"}).at("error").at("code"), json("request"));
+    QCOMPARE(ask({"--to", "kit", "-o", "/tmp/kit"}).at("error").at("code"), json("request"));
+    QVERIFY(QDir(place.path()).isEmpty());  // nothing is left
   }
 
   void editsAreMadeTogetherOrNotAtAll() {

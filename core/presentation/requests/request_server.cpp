@@ -45,6 +45,19 @@ bool isUtf8(const std::string& bytes) {
   return JsonDocument::parse(json).has_value() && JsonDocument::parse(json)->root().string() == bytes;
 }
 
+/// Texts as such, other bytes in base64.
+void writeFiles(JsonWriter& json, const std::vector<std::pair<std::string, std::string>>& files) {
+  json.key("files");
+  json.beginArray();
+  for (const auto& [name, bytes] : files) {
+    json.beginObject();
+    json.member("name", name);
+    isUtf8(bytes) ? json.member("text", bytes) : json.member("base64", base64(bytes));
+    json.endObject();
+  }
+  json.endArray();
+}
+
 constexpr std::array kRequestMembers = {
     RequestMember{"id", "any value, given back in the answer"}, RequestMember{"method", "text", true},
     RequestMember{"params", "object", true}, RequestMember{"jsonrpc", "text, not used"}};
@@ -366,9 +379,10 @@ RequestServer::Answer RequestServer::run(const HostedMethod& method, const JsonV
   HostedTexts texts;
   if (auto rejection = addInputs(method, params, words, texts)) return *std::move(rejection);
   const HostedOutcome outcome = m_run(method, std::move(words), texts);
-  if (!outcome.status) return Rejection{"limit", outcome.failure};
+  if (!outcome.status) return Rejection{outcome.failureCode, outcome.failure};
   return objectOf([&](JsonWriter& json) {
     json.member("status", *outcome.status);
+    if (outcome.files) writeFiles(json, *outcome.files);
     const auto parsed = JsonDocument::parse(outcome.output);
     if (parsed && parsed->root().is(JsonKind::object)) {
       json.key("output");

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct HostedOutcome {
   std::string output;
   std::string messages;  ///< what a command writes to standard error
   std::string failure;   ///< why there is no status, as a sentence
+  std::string_view failureCode = "limit";
+  /// Files of a folder that it has written, by their paths within the folder with slashes.
+  std::optional<std::vector<std::pair<std::string, std::string>>> files = std::nullopt;
 };
 
 using RunHosted = std::function<HostedOutcome(const HostedMethod& method, std::vector<std::string> words,
