@@ -66,6 +66,18 @@ class ExportPictureTest : public QObject {
     }
   }
 
+  void namesAndTeethAreWrittenWhereTheyAreAskedFor() {
+    for (const char* view : {"digraph", "ttgraph", "schematic"}) {
+      const QStringList words = {"export", kRobot, "--to", "svg", "--view", view, "-o", "-"};
+      const Run plain = run(words), captioned = run(words + QStringList{"--captions"});
+      QCOMPARE(captioned.status, 0);
+      QVERIFY2(captioned.output.size() > plain.output.size(), view);  // the drawing, and words in it
+    }
+    const Run levers = run({"export", kRobot, "--to", "svg", "--view", "levers", "--captions", "-o", "-"});
+    QCOMPARE(levers.status, 2);
+    QVERIFY(levers.errors.find("--captions") != std::string::npos);
+  }
+
   void wrongUsageIsSaid() {
     const QStringList words = {"export", kRobot, "--to", "png", "-o", "-"};
     QCOMPARE(run(words).status, 2);

@@ -10,6 +10,7 @@
 #include "core/presentation/diagrams/power_drawing.h"
 #include "core/presentation/diagrams/spectrum.h"
 #include "core/presentation/diagrams/speed_plan_drawing.h"
+#include "core/presentation/drawing/captions.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/drawing/tt_graph_drawing.h"
@@ -111,12 +112,15 @@ DisplayList motors(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/
   return motorRangeDrawing(*snapshot.mechanism, *range);
 }
 
-constexpr std::array kDrawings = {
-    NamedDrawing{"digraph", digraph},          NamedDrawing{"ttgraph", ttGraph, false},
-    NamedDrawing{"schematic", schematic},      NamedDrawing{"levers", levers, false},
-    NamedDrawing{"nomogram", nomogram, false}, NamedDrawing{"plan", plan, false},
-    NamedDrawing{"kutzbach", kutzbach, false}, NamedDrawing{"spectrum", spectrum, false},
-    NamedDrawing{"motors", motors, false}};
+constexpr std::array kDrawings = {NamedDrawing{"digraph", digraph, true, kGraphNameSize},
+                                  NamedDrawing{"ttgraph", ttGraph, false, kGraphNameSize},
+                                  NamedDrawing{"schematic", schematic, true, 0.0},
+                                  NamedDrawing{"levers", levers, false},
+                                  NamedDrawing{"nomogram", nomogram, false},
+                                  NamedDrawing{"plan", plan, false},
+                                  NamedDrawing{"kutzbach", kutzbach, false},
+                                  NamedDrawing{"spectrum", spectrum, false},
+                                  NamedDrawing{"motors", motors, false}};
 
 }  // namespace
 

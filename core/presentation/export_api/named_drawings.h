@@ -24,6 +24,8 @@ struct NamedDrawing {
   /// The result is meaningless if `stop` was requested meanwhile. `power`: drawn under it; null: none.
   DisplayList (*draw)(const AnalysisSnapshot& snapshot, const DrawnPower* power, const std::stop_token& stop);
   bool showsPower = true;
+  /// px of the names in its captions, as captionsOf() takes them; empty: it has no room for any.
+  std::optional<double> captionSize = {};
 };
 
 /// Every drawing, in the order of the help. To add one, add a line to the table in named_drawings.cpp.

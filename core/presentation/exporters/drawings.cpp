@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/presentation/cairo_output/picture.h"
+#include "core/presentation/drawing/captions.h"
 #include "core/presentation/export_api/named_drawings.h"
 #include "core/presentation/exporters/element_words.h"
 #include "core/presentation/exporters/export_context.h"
@@ -111,10 +112,15 @@ ExportResult writeDrawing(ExportContext& context, const OptionValues& given, con
   if (given.has("--power") && !drawing.showsPower)
     return ExportError{ExportError::Kind::usage,
                        translated("--power is drawn in the digraph and in the schematic.")};
+  if (given.has("--captions") && !drawing.captionSize)
+    return ExportError{ExportError::Kind::usage,
+                       translated("--captions are written in the digraph, the T–T graph and the schematic.")};
   const auto power = drawnPower(context, snapshot, given, stop);
   if (const auto* error = std::get_if<ExportError>(&power)) return *error;
   const auto& bands = std::get<std::optional<DrawnPower>>(power);
-  const DisplayList drawn = drawing.draw(*snapshot, bands ? &*bands : nullptr, stop);
+  DisplayList drawn = drawing.draw(*snapshot, bands ? &*bands : nullptr, stop);
+  if (given.has("--captions") && !stop.stop_requested())
+    drawn = withCaptions(std::move(drawn), *snapshot->mechanism, *drawing.captionSize);
   if (stop.stop_requested()) return outOfTime(translated("the drawing"));
   const Expected<std::string> bytes = pictureOf(drawn, picture);
   if (stop.stop_requested()) return outOfTime(translated("the picture"));
@@ -131,8 +137,11 @@ std::vector<std::string> namesOfDrawings() {
 }
 
 constexpr std::array kDrawingOptions = {choiceOption("--view", namesOfDrawings, {}, true),
-                                        textOption("--size"), flagOption("--dark"),
-                                        flagOption("--transparent"), textOption("--power")};
+                                        textOption("--size"),
+                                        flagOption("--dark"),
+                                        flagOption("--transparent"),
+                                        flagOption("--captions"),
+                                        textOption("--power")};
 constexpr std::array kDrawingRefusals = {&kNoPower, &kGraphicsRefusal};
 constexpr std::string_view kAPicture = toTranslate("a picture");
 

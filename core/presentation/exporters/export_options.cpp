@@ -7,6 +7,7 @@
 #include "core/presentation/exporters/engagement_options.h"
 #include "core/presentation/exporters/exporters.h"
 #include "core/presentation/exporters/mass_options.h"
+#include "core/teaching/derivation/named_results.h"
 
 namespace geargraph {
 namespace {
@@ -147,6 +148,11 @@ constexpr std::array kRows = {
         toTranslate("Size")},
     Row{{"--dark", "", toTranslate("on a dark ground"), kOfViews}, toTranslate("Light on dark")},
     Row{{"--transparent", "", toTranslate("on no ground"), kOfViews}, toTranslate("Transparent background")},
+    Row{{"--captions", "",
+         toTranslate(
+             "names of links and tooth counts in a digraph, T–T graph or schematic, where there is room"),
+         kOfViews},
+        toTranslate("Names and teeth")},
     Row{{"--power", "LINK",
          toTranslate(
              "under a digraph or schematic: where the power of the loads goes, seen from \"ground\" or "
@@ -251,6 +257,48 @@ constexpr auto kTexts = [] {
 
 std::span<const OptionText> exportOptionTexts() {
   return kTexts;
+}
+
+std::string exportChoiceTitle(std::string_view option, std::string_view choice) {
+  struct Title {
+    std::string_view choice;
+    const char* title;
+  };
+  static constexpr std::array kTitles = {
+      Title{"comma", toTranslate("Comma")},
+      Title{"semicolon", toTranslate("Semicolon")},
+      Title{"tab", toTranslate("Tab")},
+      Title{"point", toTranslate("Point")},
+      Title{"speed", toTranslate("Given speeds")},
+      Title{"torque", toTranslate("Given torques")},
+      Title{"none", toTranslate("No motors")},
+      Title{"front", toTranslate("From the front")},
+      Title{"back", toTranslate("From behind")},
+      Title{"left", toTranslate("From the left")},
+      Title{"right", toTranslate("From the right")},
+      Title{"top", toTranslate("From above")},
+      Title{"bottom", toTranslate("From below")},
+      Title{"iso", toTranslate("Isometric")},
+      Title{"shaded", toTranslate("Shaded")},
+      Title{"lines", toTranslate("Lines in sight")},
+      Title{"edges", toTranslate("All edges")},
+      Title{"digraph", toTranslate("Digraph")},
+      Title{"ttgraph", toTranslate("T–T graph")},
+      Title{"schematic", toTranslate("Schematic")},
+      Title{"levers", toTranslate("Levers")},
+      Title{"nomogram", toTranslate("Nomogram")},
+      Title{"plan", toTranslate("Plane of points")},
+      Title{"kutzbach", toTranslate("Speed plan")},
+      Title{"spectrum", toTranslate("Spectrum")},
+  };
+  if (option == "--matrix") {
+    const NamedResult* const result = resultNamed(choice);
+    return result != nullptr ? translated(result->title) : std::string();
+  }
+  for (const Title& each : kTitles) {
+    if (each.choice == choice) return translated(each.title);
+  }
+  return {};
 }
 
 std::string exportOptionTitle(std::string_view name) {

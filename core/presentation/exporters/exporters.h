@@ -43,6 +43,9 @@ namespace geargraph {
 [[nodiscard]] const OptionText& exportOptionText(std::string_view name);
 /// What a dialog calls an option, translated. @pre an exporter lists it
 [[nodiscard]] std::string exportOptionTitle(std::string_view name);
+/// What a dialog calls one of the choices of an option, translated: "Semicolon"; "" where it has no other
+/// name than its word. The words themselves are those of the command line, in every language.
+[[nodiscard]] std::string exportChoiceTitle(std::string_view option, std::string_view choice);
 
 /// Why an exporter cannot write anything here, or has nothing to write of a mechanism by its live analysis,
 /// as a sentence; empty if ExportNeed is met. Cheap.

@@ -215,9 +215,19 @@ std::vector<SetAtom> setAtoms(const std::vector<FormulaNode>& parts, SetStyle st
       atom->kind = InternedStringClass::ordinary;
   };
   atoms.reserve(parts.size());
+  // Bars in pairs are those of absolute values, close to what they enclose; one alone is a relation.
+  const auto isBar = [](const FormulaNode& part) {
+    return part.kind == FormulaKind::sign && part.text == "|";
+  };
+  const bool areFences = std::count_if(parts.begin(), parts.end(), isBar) % 2 == 0;
+  bool isOpen = false;
   for (const FormulaNode& part : parts) {
     atoms.push_back(setNode(part, style));
     SetAtom& atom = atoms.back();
+    if (areFences && isBar(part)) {
+      atom.kind = isOpen ? InternedStringClass::closing : InternedStringClass::opening;
+      isOpen = !isOpen;
+    }
     atom.box.width += atom.slant;
     atom.slant = 0;
     if (atom.isSpace) continue;

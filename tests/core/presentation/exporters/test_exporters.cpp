@@ -7,6 +7,7 @@
 #include "core/presentation/export_api/named_drawings.h"
 #include "core/presentation/exporters/exporters.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/pseudo_language.h"
 #include "tests/core/support/snapshot_of.h"
 #include "tests/core/support/trains.h"
 
@@ -135,6 +136,24 @@ class ExportersTest : public QObject {
     for (const OptionText& text : exportOptionTexts())
       QVERIFY2(used.contains(text.name), text.name.data());  // else an option that nothing reads
     QVERIFY(exporterWithId("none") == nullptr);
+  }
+
+  /// All but the names of formats; two choices of one option never have one title.
+  void choicesHaveTitlesInTheLanguageInUse() {
+    const test::PseudoLanguage language;
+    for (const Exporter* exporter : allExporters()) {
+      for (const ExportOption& option : exporter->options) {
+        if (option.choices == nullptr) continue;
+        std::set<std::string> titles;
+        for (const std::string& choice : option.choices()) {
+          const std::string title = exportChoiceTitle(option.name, choice);
+          QCOMPARE(title.empty(), option.name == "--as");
+          QVERIFY2(test::PseudoLanguage::english(title).empty(), title.c_str());
+          QVERIFY2(title.empty() || titles.insert(title).second, title.c_str());
+        }
+      }
+    }
+    QCOMPARE(exportChoiceTitle("--matrix", "nothing"), std::string());
   }
 
   void theOptionsChooseTheExporter() {

@@ -104,6 +104,16 @@ class TypesetTest : public QObject {
     compare(room(U',', U'4'), 3.0 / 18);
   }
 
+  void barsInPairsAreCloseToWhatTheyEnclose() {
+    const auto widthOf = [](const char* tex) { return boxOf(tex).width; };
+    const double bar = widthOf("|"), letter = widthOf("\\omega");
+    compare(widthOf("|\\omega|"), 2 * bar + letter);
+    // One alone stands between its sides as an equals sign does.
+    compare(widthOf("\\omega|\\omega") - bar, widthOf("\\omega=\\omega") - widthOf("="));
+    // Behind the second one a sign has its room.
+    compare(widthOf("|\\omega|=\\omega") - 2 * bar, widthOf("\\omega=\\omega"));
+  }
+
   void aMinusSignOfATermIsCloseToIt() {
     const FormulaBox box = boxOf("1 = -2 - 3");
     compare(glyphOf(box, U'2').x, endOf(glyphOf(box, U'−')));
