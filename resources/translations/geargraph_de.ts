@@ -14598,6 +14598,142 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Klicken wählt aus; eine Achse ziehen verschiebt sie, den Rand eines Rades ziehen ändert dessen Zähne. Das Programm ordnet die Zeichnung an</translation>
     </message>
     <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure: click an axis, a pitch point or a gear</source>
+        <translation>Messen: eine Achse, einen Wälzpunkt oder ein Rad anklicken</translation>
+    </message>
+    <message>
+        <source>Measure distances, angles and diameters: click an axis, a pitch point or a gear, then another one, in a drawing or in 3D</source>
+        <translation>Abstände, Winkel und Durchmesser messen: eine Achse, einen Wälzpunkt oder ein Rad anklicken, dann das nächste, in einer Zeichnung oder in 3D</translation>
+    </message>
+    <message>
+        <source>This has no place to measure from. Click an axis, a mesh or a gear</source>
+        <translation>Hier ist kein Ort, von dem aus gemessen wird. Eine Achse, einen Zahneingriff oder ein Rad anklicken</translation>
+    </message>
+    <message>
+        <source>%1. Click a second one. Esc takes it back</source>
+        <translation>%1. Ein zweites anklicken. Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>%1. Ctrl+C copies the result, Esc goes back</source>
+        <translation>%1. Strg+C kopiert das Ergebnis, Esc geht zurück</translation>
+    </message>
+    <message>
+        <source>Measure: %1</source>
+        <translation>Messen: %1</translation>
+    </message>
+    <message>
+        <source>pitch point of mesh %1</source>
+        <translation>Wälzpunkt von Zahneingriff %1</translation>
+    </message>
+    <message>
+        <source>centre of gear %1 in mesh %2</source>
+        <translation>Mitte von Rad %1 im Zahneingriff %2</translation>
+    </message>
+    <message>
+        <source>face of gear %1 in mesh %2</source>
+        <translation>Stirnfläche von Rad %1 im Zahneingriff %2</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>centre distance</source>
+        <translation>Achsabstand</translation>
+    </message>
+    <message>
+        <source>pitch radius</source>
+        <translation>Wälzkreisradius</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>along the axes</source>
+        <translation>längs der Achsen</translation>
+    </message>
+    <message>
+        <source>pitch diameter</source>
+        <translation>Wälzkreisdurchmesser</translation>
+    </message>
+    <message>
+        <source>pitch diameter of gear %1</source>
+        <translation>Wälzkreisdurchmesser von Rad %1</translation>
+    </message>
+    <message>
+        <source>tip diameter</source>
+        <translation>Kopfkreisdurchmesser</translation>
+    </message>
+    <message>
+        <source>root diameter</source>
+        <translation>Fußkreisdurchmesser</translation>
+    </message>
+    <message>
+        <source>face width</source>
+        <translation>Zahnbreite</translation>
+    </message>
+    <message>
+        <source>--captions are written in the digraph, the T–T graph and the schematic.</source>
+        <translation>--captions werden im Digraphen, im T–T-Graphen und im Schema geschrieben.</translation>
+    </message>
+    <message>
+        <source>names of links and tooth counts in a digraph, T–T graph or schematic, where there is room</source>
+        <translation>Namen der Glieder und Zähnezahlen in Digraph, T–T-Graph oder Schema, wo Platz ist</translation>
+    </message>
+    <message>
+        <source>Names and teeth</source>
+        <translation>Namen und Zähne</translation>
+    </message>
+    <message>
+        <source>Given speeds</source>
+        <translation>Gegebene Drehzahlen</translation>
+    </message>
+    <message>
+        <source>Given torques</source>
+        <translation>Gegebene Drehmomente</translation>
+    </message>
+    <message>
+        <source>No motors</source>
+        <translation>Keine Motoren</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Von rechts</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Lines in sight</source>
+        <translation>Sichtbare Linien</translation>
+    </message>
+    <message>
+        <source>Plane of points</source>
+        <translation>Punktebene</translation>
+    </message>
+    <message>
+        <source>Layout for projectors</source>
+        <translation>Anordnung für Beamer</translation>
+    </message>
+    <message>
+        <source>Drawing and 3D alone, the drawing on three fifths of the width, in large type; Reset the layout brings the panels back</source>
+        <translation>Zeichnung und 3D allein, die Zeichnung auf drei Fünfteln der Breite, in großer Schrift; „Anordnung zurücksetzen“ bringt die Felder zurück</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Notiz: in den leeren Bereich klicken, oder auf eine Notiz, um sie zu ändern</translation>
     </message>

@@ -14598,6 +14598,142 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Clic para seleccionar; arrastrar un eje lo mueve, arrastrar el borde de una rueda cambia sus dientes. El programa dispone el dibujo</translation>
     </message>
     <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Measure: click an axis, a pitch point or a gear</source>
+        <translation>Medir: haga clic en un eje, un punto primitivo o una rueda</translation>
+    </message>
+    <message>
+        <source>Measure distances, angles and diameters: click an axis, a pitch point or a gear, then another one, in a drawing or in 3D</source>
+        <translation>Mide distancias, ángulos y diámetros: haga clic en un eje, un punto primitivo o una rueda y después en otro, en un dibujo o en 3D</translation>
+    </message>
+    <message>
+        <source>This has no place to measure from. Click an axis, a mesh or a gear</source>
+        <translation>No hay aquí un lugar desde el que medir. Haga clic en un eje, un engrane o una rueda</translation>
+    </message>
+    <message>
+        <source>%1. Click a second one. Esc takes it back</source>
+        <translation>%1. Haga clic en un segundo. Esc lo deshace</translation>
+    </message>
+    <message>
+        <source>%1. Ctrl+C copies the result, Esc goes back</source>
+        <translation>%1. Ctrl+C copia el resultado, Esc vuelve atrás</translation>
+    </message>
+    <message>
+        <source>Measure: %1</source>
+        <translation>Medir: %1</translation>
+    </message>
+    <message>
+        <source>pitch point of mesh %1</source>
+        <translation>punto primitivo del engrane %1</translation>
+    </message>
+    <message>
+        <source>centre of gear %1 in mesh %2</source>
+        <translation>centro de la rueda %1 en el engrane %2</translation>
+    </message>
+    <message>
+        <source>face of gear %1 in mesh %2</source>
+        <translation>cara de la rueda %1 en el engrane %2</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <source>centre distance</source>
+        <translation>distancia entre ejes</translation>
+    </message>
+    <message>
+        <source>pitch radius</source>
+        <translation>radio primitivo</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>ángulo</translation>
+    </message>
+    <message>
+        <source>along the axes</source>
+        <translation>a lo largo de los ejes</translation>
+    </message>
+    <message>
+        <source>pitch diameter</source>
+        <translation>diámetro primitivo</translation>
+    </message>
+    <message>
+        <source>pitch diameter of gear %1</source>
+        <translation>diámetro primitivo de la rueda %1</translation>
+    </message>
+    <message>
+        <source>tip diameter</source>
+        <translation>diámetro de cabeza</translation>
+    </message>
+    <message>
+        <source>root diameter</source>
+        <translation>diámetro de pie</translation>
+    </message>
+    <message>
+        <source>face width</source>
+        <translation>ancho de cara</translation>
+    </message>
+    <message>
+        <source>--captions are written in the digraph, the T–T graph and the schematic.</source>
+        <translation>--captions se escriben en el dígrafo, el grafo T–T y el esquema.</translation>
+    </message>
+    <message>
+        <source>names of links and tooth counts in a digraph, T–T graph or schematic, where there is room</source>
+        <translation>nombres de los eslabones y números de dientes en un dígrafo, grafo T–T o esquema, donde haya sitio</translation>
+    </message>
+    <message>
+        <source>Names and teeth</source>
+        <translation>Nombres y dientes</translation>
+    </message>
+    <message>
+        <source>Given speeds</source>
+        <translation>Velocidades dadas</translation>
+    </message>
+    <message>
+        <source>Given torques</source>
+        <translation>Pares dados</translation>
+    </message>
+    <message>
+        <source>No motors</source>
+        <translation>Sin motores</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Desde delante</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Desde la derecha</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrica</translation>
+    </message>
+    <message>
+        <source>Lines in sight</source>
+        <translation>Líneas visibles</translation>
+    </message>
+    <message>
+        <source>Plane of points</source>
+        <translation>Plano de puntos</translation>
+    </message>
+    <message>
+        <source>Layout for projectors</source>
+        <translation>Disposición para proyectores</translation>
+    </message>
+    <message>
+        <source>Drawing and 3D alone, the drawing on three fifths of the width, in large type; Reset the layout brings the panels back</source>
+        <translation>Solo el dibujo y el 3D, el dibujo en tres quintos del ancho, con letra grande; «Restablecer la disposición» devuelve los paneles</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Nota: clic en un área vacía, o en una nota para cambiarla</translation>
     </message>

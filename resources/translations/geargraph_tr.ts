@@ -14596,6 +14596,142 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Seçmek için tıklayın; taşımak için ekseni, diş sayısı için dişlinin kenarını sürükleyin. Çizimi program yerleştirir</translation>
     </message>
     <message>
+        <source>Measure</source>
+        <translation>Ölç</translation>
+    </message>
+    <message>
+        <source>Measure: click an axis, a pitch point or a gear</source>
+        <translation>Ölçme: bir eksene, bir hatve noktasına veya bir dişliye tıklayın</translation>
+    </message>
+    <message>
+        <source>Measure distances, angles and diameters: click an axis, a pitch point or a gear, then another one, in a drawing or in 3D</source>
+        <translation>Uzaklıkları, açıları ve çapları ölçer: bir eksene, hatve noktasına veya dişliye, sonra bir başkasına tıklayın; çizimde veya 3B&apos;de</translation>
+    </message>
+    <message>
+        <source>This has no place to measure from. Click an axis, a mesh or a gear</source>
+        <translation>Burada ölçülecek bir yer yok. Bir eksene, bir dişli çiftine veya bir dişliye tıklayın</translation>
+    </message>
+    <message>
+        <source>%1. Click a second one. Esc takes it back</source>
+        <translation>%1. İkincisine tıklayın. Esc geri alır</translation>
+    </message>
+    <message>
+        <source>%1. Ctrl+C copies the result, Esc goes back</source>
+        <translation>%1. Ctrl+C sonucu kopyalar, Esc geri döner</translation>
+    </message>
+    <message>
+        <source>Measure: %1</source>
+        <translation>Ölçme: %1</translation>
+    </message>
+    <message>
+        <source>pitch point of mesh %1</source>
+        <translation>%1 dişli çiftinin hatve noktası</translation>
+    </message>
+    <message>
+        <source>centre of gear %1 in mesh %2</source>
+        <translation>%2 dişli çiftindeki %1 dişlisinin merkezi</translation>
+    </message>
+    <message>
+        <source>face of gear %1 in mesh %2</source>
+        <translation>%2 dişli çiftindeki %1 dişlisinin alnı</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>uzaklık</translation>
+    </message>
+    <message>
+        <source>centre distance</source>
+        <translation>eksenler arası uzaklık</translation>
+    </message>
+    <message>
+        <source>pitch radius</source>
+        <translation>hatve dairesi yarıçapı</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>açı</translation>
+    </message>
+    <message>
+        <source>along the axes</source>
+        <translation>eksenler boyunca</translation>
+    </message>
+    <message>
+        <source>pitch diameter</source>
+        <translation>hatve dairesi çapı</translation>
+    </message>
+    <message>
+        <source>pitch diameter of gear %1</source>
+        <translation>%1 dişlisinin hatve dairesi çapı</translation>
+    </message>
+    <message>
+        <source>tip diameter</source>
+        <translation>baş dairesi çapı</translation>
+    </message>
+    <message>
+        <source>root diameter</source>
+        <translation>taban dairesi çapı</translation>
+    </message>
+    <message>
+        <source>face width</source>
+        <translation>diş genişliği</translation>
+    </message>
+    <message>
+        <source>--captions are written in the digraph, the T–T graph and the schematic.</source>
+        <translation>--captions; yönlü grafta, T–T grafında ve şemada yazılır.</translation>
+    </message>
+    <message>
+        <source>names of links and tooth counts in a digraph, T–T graph or schematic, where there is room</source>
+        <translation>yer olan yerlerde yönlü grafta, T–T grafında veya şemada uzuv adları ve diş sayıları</translation>
+    </message>
+    <message>
+        <source>Names and teeth</source>
+        <translation>Adlar ve dişler</translation>
+    </message>
+    <message>
+        <source>Given speeds</source>
+        <translation>Verilen hızlar</translation>
+    </message>
+    <message>
+        <source>Given torques</source>
+        <translation>Verilen torklar</translation>
+    </message>
+    <message>
+        <source>No motors</source>
+        <translation>Motor yok</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Önden</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Sağdan</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Yukarıdan</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>İzometrik</translation>
+    </message>
+    <message>
+        <source>Lines in sight</source>
+        <translation>Görünen çizgiler</translation>
+    </message>
+    <message>
+        <source>Plane of points</source>
+        <translation>Nokta düzlemi</translation>
+    </message>
+    <message>
+        <source>Layout for projectors</source>
+        <translation>Projektör yerleşimi</translation>
+    </message>
+    <message>
+        <source>Drawing and 3D alone, the drawing on three fifths of the width, in large type; Reset the layout brings the panels back</source>
+        <translation>Yalnız çizim ve 3B, çizim genişliğin beşte üçünde, büyük yazıyla; yerleşimi sıfırlamak panelleri geri getirir</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Not: boş alana tıklayın, ya da değiştirmek için bir nota</translation>
     </message>

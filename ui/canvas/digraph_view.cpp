@@ -8,6 +8,7 @@
 #include "ui/canvas/cycle_walk.h"
 #include "ui/models/term_tips.h"
 #include "ui/workbench/views.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph {
 namespace {
@@ -139,6 +140,7 @@ ViewEntry digraphView() {
           .holdsAnswers = false,
           .make = [](Views& views, QWidget* parent) -> ResultsView* {
             auto* drawing = new DigraphView(views.document(), views.selection(), parent);
+            drawing->setMeasuring(&views.workbench().measuring());
             QObject::connect(drawing, &DigraphView::settled, &views, &Views::settled);
             return drawing;
           }};

@@ -14,6 +14,7 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
 #include "ui/canvas/weld_edits.h"
+#include "ui/workbench/measuring.h"
 
 namespace geargraph {
 namespace {
@@ -208,6 +209,7 @@ void DrawingView::drawForeground(QPainter* painter, const QRectF&) {
     drawLines(*painter, boxOf(m_notice, Qt::TopLeftCorner), quiet);
   }
   if (!m_caption.isEmpty()) drawLines(*painter, boxOf(m_caption, Qt::BottomLeftCorner), m_captionColors);
+  if (m_measuring != nullptr && m_measuring->isOn()) drawMeasured(*painter);
   if (m_showsFocus) {
     painter->setPen(QPen(toQColor(colorOf(ColorRole::accent, theme())), 2));
     painter->setBrush(Qt::NoBrush);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "core/foundations/base/triple.h"
 #include "core/presentation/drawing/palette.h"
 #include "core/theory/analysis/analysis.h"
 #include "ui/canvas/drawing_scene.h"
@@ -19,6 +20,7 @@
 class QMenu;
 
 namespace geargraph {
+class Measuring;
 struct PowerPicture;
 struct ShownTorque;
 }  // namespace geargraph
@@ -29,7 +31,7 @@ namespace geargraph {
 /// selected in any view, picks by the drawing's outlines, shows tool tips and menus, and carries out the
 /// commands on elements. A derived drawing fills the scene in rebuild() and handles the mouse for its tools.
 ///
-/// Keys while it has the focus: V L T G I W N H choose a tool, Esc cancels, then deselects, then returns to
+/// Keys while it has the focus: V L T G I W N M H choose a tool, Esc cancels, then deselects, then returns to
 /// Select; Delete and Backspace delete; arrows nudge by 10 (Shift: by 1); F2 renames, X flips, F or Ctrl+0
 /// fits, Shift+F fits what is selected, Ctrl+plus, minus and 1 zoom; Ctrl+A selects all. The wheel zooms at
 /// the mouse; the middle button, or Space with the left one, pans.
@@ -53,6 +55,9 @@ class DrawingView : public QGraphicsView, public ResultsView {
   [[nodiscard]] QWidget& widget() override { return *this; }
   void setSnapshot(const SnapshotPtr& snapshot) override;
   [[nodiscard]] QString emptyText() const override { return message(); }
+
+  /// Measures what is clicked with the tool Measure, and shows what is measured.
+  void setMeasuring(Measuring* measuring);
 
   void setTheme(Theme theme);
   /// Switches a grid to which new and dragged nodes snap, if the drawing has nodes; Alt suspends it.
@@ -196,6 +201,9 @@ class DrawingView : public QGraphicsView, public ResultsView {
   /// A place on the sheet near the middle of the view where nothing is drawn.
   [[nodiscard]] CanvasPoint freePlace() const;
 
+  /// A point in space that tells which of an element's places is meant on the sheet, for measuring.
+  [[nodiscard]] virtual std::optional<Vector3> spaceAt(CanvasPoint /*place*/) const { return std::nullopt; }
+
   // For the drawing's use.
   [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
   [[nodiscard]] Document& document() { return *m_document; }
@@ -276,6 +284,11 @@ class DrawingView : public QGraphicsView, public ResultsView {
   [[nodiscard]] virtual double captionSize() const { return 0; }
   void drawLines(QPainter& painter, const LineBox& shown, const std::vector<ColorRole>& colors) const;
   void drawMessage(QPainter& painter, const QString& text) const;
+  void measureFrom(const Pointer& pointer);
+  void drawMeasured(QPainter& painter) const;
+  /// Where a spot is on the sheet: an axis at the foot of the perpendicular from `other`, else the middle of
+  /// its element; empty if that is not drawn.
+  [[nodiscard]] std::optional<CanvasPoint> placeOfTaken(std::size_t which, const CanvasPoint& other) const;
   void fitTo(const QRectF& area);
   void zoomAt(QPointF viewportPlace, double factor);
   void moveView(QPointF pixels);
@@ -283,6 +296,7 @@ class DrawingView : public QGraphicsView, public ResultsView {
 
   Document* m_document;
   Selection* m_selection;
+  Measuring* m_measuring = nullptr;
   DrawingScene* m_scene;
   ElementCommands m_commands;
   SnapshotPtr m_snapshot;

@@ -47,7 +47,11 @@ void DrawingView::mousePressEvent(QMouseEvent* event) {
     m_spaceUsed = m_spaceDown;
   } else {
     const Pointer pointer = pointerAt(event->position(), event->modifiers());
-    if (!grabLoad(event->position(), pointer)) pressed(pointer);
+    if (tool() == ToolKind::measure) {
+      measureFrom(pointer);
+    } else if (!grabLoad(event->position(), pointer)) {
+      pressed(pointer);
+    }
   }
   updateCursor();
 }
@@ -173,7 +177,8 @@ bool DrawingView::viewportEvent(QEvent* event) {
 
 void DrawingView::updateCursor() {
   Qt::CursorShape shape = Qt::ArrowCursor;
-  if (tool() == ToolKind::link || tool() == ToolKind::turningJoint || tool() == ToolKind::gearMesh) {
+  if (tool() == ToolKind::link || tool() == ToolKind::turningJoint || tool() == ToolKind::gearMesh ||
+      tool() == ToolKind::measure) {
     shape = Qt::CrossCursor;
   }
   if (tool() == ToolKind::note) shape = Qt::IBeamCursor;

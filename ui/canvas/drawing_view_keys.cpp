@@ -9,6 +9,7 @@
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/place_grid.h"
+#include "ui/workbench/measuring.h"
 
 namespace geargraph {
 namespace {
@@ -80,6 +81,8 @@ void DrawingView::escape() {
     updateCursor();
   } else if (cancel()) {
     m_grip = Grip::none;
+  } else if (tool() == ToolKind::measure) {
+    if (m_measuring == nullptr || !m_measuring->cancel()) setTool(ToolKind::select);
   } else if (!m_selection->selected().empty()) {
     m_selection->clear();
   } else {
@@ -279,6 +282,10 @@ void DrawingView::clickCurrent() {
     return;
   }
   if (tool() == ToolKind::load) return editLoad();
+  if (tool() == ToolKind::measure) {
+    if (m_measuring != nullptr && current) m_measuring->take(*current);
+    return;
+  }
   Pointer pointer;
   const bool onNote = current && current->kind == ElementKind::note;
   const bool placesNew = tool() == ToolKind::link || (tool() == ToolKind::note && !onNote);

@@ -8,6 +8,7 @@
 #include "ui/canvas/context_menu.h"
 #include "ui/models/term_tips.h"
 #include "ui/workbench/views.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph {
 
@@ -272,6 +273,10 @@ std::optional<Pointer> SchematicView::keyStrokeEnd(const Pointer& begin) const {
   return end;
 }
 
+std::optional<Vector3> SchematicView::spaceAt(CanvasPoint place) const {
+  return m_schematic ? std::optional(m_schematic->frame.spaceOf(place)) : std::nullopt;
+}
+
 void SchematicView::endDrag() {
   m_drag.reset();
   if (isFitted()) fit();
@@ -348,6 +353,7 @@ ViewEntry schematicView() {
           .holdsAnswers = false,
           .make = [](Views& views, QWidget* parent) -> ResultsView* {
             auto* drawing = new SchematicView(views.document(), views.selection(), parent);
+            drawing->setMeasuring(&views.workbench().measuring());
             QObject::connect(drawing, &SchematicView::drawn, &views, &Views::settled);
             return drawing;
           }};

@@ -52,6 +52,7 @@ class SchematicView : public DrawingView {
   /// Moves the axis of the selected element, as one undo step.
   void nudge(double dx, double dy, bool repeated) override;
   [[nodiscard]] std::optional<Pointer> keyStrokeEnd(const Pointer& begin) const override;
+  [[nodiscard]] std::optional<Vector3> spaceAt(CanvasPoint place) const override;
 
  private:
   /// A drag of an axis, until the offer of tooth numbers after it is closed.

@@ -6,6 +6,7 @@
 #include "ui/canvas/f_circuits.h"
 #include "ui/models/term_tips.h"
 #include "ui/workbench/views.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph {
 namespace {
@@ -238,6 +239,7 @@ ViewEntry ttGraphView() {
           .holdsAnswers = false,
           .make = [](Views& views, QWidget* parent) -> ResultsView* {
             auto* drawing = new TtGraphView(views.document(), views.selection(), parent);
+            drawing->setMeasuring(&views.workbench().measuring());
             QObject::connect(drawing, &TtGraphView::drawn, &views, &Views::settled);
             return drawing;
           }};

@@ -181,7 +181,7 @@ std::vector<Command> commandsOfEdit() {
        .text = words("&Copy"),
        .tip = words("Copy the selected links with the joints and meshes between them"),
        .keys = {QKeySequence::Copy},
-       .whyNot = [](const CommandState& now) { return whyNotCopied(now); }},
+       .whyNot = [](const CommandState& now) { return now.isMeasured ? QString() : whyNotCopied(now); }},
       {.id = CommandId::copyPicture,
        .name = "edit.copyPicture",
        .text = words("Copy as p&icture"),
@@ -429,6 +429,13 @@ std::vector<Command> commandsOfView() {
        .tip = words("The 3D view as wide as the drawing"),
        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+3"))},
        .searchWords = "wide large split solid gears"},
+      {.id = CommandId::projector,
+       .name = "view.projector",
+       .text = words("Layout for projectors"),
+       .tip =
+           words("Drawing and 3D alone, the drawing on three fifths of the width, in large type; Reset the "
+                 "layout brings the panels back"),
+       .searchWords = "beamer lecture hall large type wide drawing screen big"},
       {.id = CommandId::presentation,
        .name = "view.presentation",
        .text = words("&Presentation"),

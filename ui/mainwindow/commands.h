@@ -61,6 +61,7 @@ enum class CommandId {
   dark,
   highContrast,
   half3d,
+  projector,
   presentation,
   grid,
   captions,
@@ -109,6 +110,7 @@ struct CommandState {
   bool hasMatrix = false;      ///< the chosen matrix is there
   bool isQuantity = false;     ///< it is a table of quantities, not of whole numbers
   bool areAnswersOpen = true;  ///< no step of a lesson asks for what a view shows
+  bool isMeasured = false;     ///< a measured value is shown, which Copy copies
   QString whyNoLoad = {};      ///< why the selection takes no load; empty: it does
   QString whyNoGear = {};      ///< why no gear can be attached to the one selected link
   QString whyNoWeld = {};      ///< why the selected links cannot be welded

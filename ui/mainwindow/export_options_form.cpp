@@ -100,8 +100,10 @@ QWidget* ExportOptionsForm::choiceField(const ExportOption& option) {
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(8);
   if (!option.isNeeded && option.otherwise.empty()) box->addItem(tr("As usual"), QString());
-  for (const std::string& choice : option.choices())
-    box->addItem(QString::fromStdString(choice), QString::fromStdString(choice));
+  for (const std::string& choice : option.choices()) {
+    const std::string title = exportChoiceTitle(option.name, choice);
+    box->addItem(QString::fromStdString(title.empty() ? choice : title), QString::fromStdString(choice));
+  }
   const int usual = option.otherwise.empty() ? 0 : box->findData(shownText(option.otherwise));
   box->setCurrentIndex(usual);
   const QString otherwise = shownText(option.otherwise);

@@ -224,6 +224,7 @@ class MainWindow : public QMainWindow {
   void chooseTypeScale(double scale);
   void addLanguages(QMenu& menu);
   void showView3DOnHalf();
+  void layOutForProjector();
   void onStage(const MechanismScenePtr& stage);
   void onSelectionChanged();
   void popUpMenuFor(const ElementId& element, QPoint at);

@@ -78,7 +78,8 @@ bool Presentation::eventFilter(QObject* watched, QEvent* event) {
   const bool isEscape = key.key() == Qt::Key_Escape;
   if (!isOurs || (!isEscape && key.key() != Qt::Key_Space)) return QObject::eventFilter(watched, event);
   const auto* drawing = qobject_cast<const DrawingView*>(widget);
-  if (isEscape && drawing != nullptr && drawing->isDrawing()) return false;
+  const bool goesBack = drawing != nullptr && (drawing->isDrawing() || drawing->tool() == ToolKind::measure);
+  if (isEscape && goesBack) return false;
   // In a drawing Space pans while it is held; a tap plays by itself.
   if (!isEscape && drawing != nullptr) return false;
   if (event->type() == QEvent::ShortcutOverride) {

@@ -78,6 +78,12 @@ void WindowActions::makeTools() {
        .tip = QMainWindow::tr(
            "Write a note on the sheet of the digraph: click where it should be; a double click changes one"),
        .searchWords = "text comment label annotation write remark caption sticky post-it"},
+      {.kind = ToolKind::measure,
+       .icon = "measure",
+       .tip = QMainWindow::tr(
+           "Measure distances, angles and diameters: click an axis, a pitch point or a gear, then another "
+           "one, in a drawing or in 3D"),
+       .searchWords = "distance angle diameter centre center ruler dimension length caliper how far"},
       {ToolKind::pan, "pan",
        QMainWindow::tr("Move the sheet; the middle mouse button does so with any tool")},
   };

@@ -35,16 +35,18 @@ void MainWindow::makeToolBar() {
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->setIconSize({16, 16});
   QAction* const note = m_actions->tool[static_cast<std::size_t>(ToolKind::note)];
+  QAction* const measure = m_actions->tool[static_cast<std::size_t>(ToolKind::measure)];
   for (QAction* tool : m_actions->tools->actions()) {
-    const bool isNamed = tool != note && tool->data().toInt() != static_cast<int>(ToolKind::pan);
+    const bool isNamed =
+        tool != note && tool != measure && tool->data().toInt() != static_cast<int>(ToolKind::pan);
     if (isNamed) bar->addNamed(tool);
   }
   bar->addNamed((*m_actions)[CommandId::insertSet]);
   // Without their words the bar holds the longer ones of other languages on a small screen.
-  bar->addAction(note);
+  bar->addActions({note, measure});
   bar->addSeparator();
   bar->addActions({(*m_actions)[CommandId::undo], (*m_actions)[CommandId::redo]});
-  for (QAction* action : {note, (*m_actions)[CommandId::undo], (*m_actions)[CommandId::redo]}) {
+  for (QAction* action : {note, measure, (*m_actions)[CommandId::undo], (*m_actions)[CommandId::redo]}) {
     qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
   for (auto* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);

@@ -1,6 +1,7 @@
 // What the window does when a command is given: menus, tool bar, dialogs.
 
 #include <QApplication>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -51,6 +52,7 @@
 #include "ui/teeth_panel/teeth_panel.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
+#include "ui/workbench/measuring.h"
 
 namespace geargraph {
 namespace {
@@ -122,7 +124,7 @@ void MainWindow::makeMenus() {
   theme->addActions(a.of({asSystem, light, dark, highContrast}));
   view->addMenu(tr("T&ype size"))->addActions(a.typeSizes->actions());
   addLanguages(*view->addMenu(tr("La&nguage")));
-  view->addActions(a.of({half3d, presentation}));
+  view->addActions(a.of({half3d, projector, presentation}));
 
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
@@ -174,7 +176,15 @@ void MainWindow::wireActions() {
   connect(a[redo], &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateCommands);
   connect(a[cut], &QAction::triggered, m_commands, &EditCommands::cut);
-  connect(a[copy], &QAction::triggered, m_commands, &EditCommands::copy);
+  connect(a[copy], &QAction::triggered, this, [this] {
+    const QString measured = m_workbench->measuring().text();
+    if (measured.isEmpty()) return static_cast<void>(m_commands->copy());
+    QGuiApplication::clipboard()->setText(measured);
+  });
+  connect(&m_workbench->measuring(), &Measuring::changed, this, [this] {
+    if (m_workbench->measuring().isOn()) m_status->setHint(m_workbench->measuring().hint());
+    updateCommands();
+  });
   connect(a[paste], &QAction::triggered, m_commands, &EditCommands::paste);
   connect(a[duplicate], &QAction::triggered, m_commands, &EditCommands::duplicate);
   connect(a[remove], &QAction::triggered, this, [this] { drawing().deleteSelected(); });
@@ -185,9 +195,11 @@ void MainWindow::wireActions() {
   connect(a[selectAll], &QAction::triggered, this, [this] { drawing().selectAll(); });
   connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
     const auto kind = static_cast<ToolKind>(tool->data().toInt());
+    // What is to be measured may be in the 3D view, where the keys stay.
+    const bool isIn3D = kind == ToolKind::measure && view3d().hasFocus();
     showDrawing(kind == ToolKind::note ? digraph().objectName() : drawing().objectName());
     drawing().setTool(kind);
-    drawing().setFocus();
+    isIn3D ? view3d().setFocus() : drawing().setFocus();
     if (kind == ToolKind::load) drawing().editLoad();
   });
   connect(a[flip], &QAction::triggered, this, [this] { drawing().flipSelected(); });
@@ -220,6 +232,7 @@ void MainWindow::wireActions() {
   connect(a.typeSizes, &QActionGroup::triggered, this,
           [this](const QAction* size) { chooseTypeScale(size->data().toDouble()); });
   connect(a[half3d], &QAction::triggered, this, &MainWindow::showView3DOnHalf);
+  connect(a[projector], &QAction::triggered, this, &MainWindow::layOutForProjector);
   connect(a[light], &QAction::triggered, this, [this] { chooseTheme(Theme::light); });
   connect(a[dark], &QAction::triggered, this, [this] { chooseTheme(Theme::dark); });
   connect(a[highContrast], &QAction::triggered, this, [this] { chooseTheme(Theme::highContrast); });
@@ -331,6 +344,7 @@ CommandState MainWindow::commandState() {
   now.hasMatrix = matrices().model().isThere();
   now.isQuantity = matrices().model().result().of != ResultOf::graph;
   now.areAnswersOpen = m_areAnswersOpen;
+  now.isMeasured = !m_workbench->measuring().text().isEmpty();
   now.whyNoLoad = drawing().whyNoLoad();
   now.whyNoGear = now.isOneLink() ? drawing().whyNoGear() : QString();
   now.whyNoWeld = drawing().whyNoWeld();
@@ -371,6 +385,17 @@ void MainWindow::showView3DOnHalf() {
   view->show();
   view->raise();
   resizeDocks({view}, {width() / 2}, Qt::Horizontal);
+}
+
+/// The smallest words, those of captions, are then larger than 14 px.
+void MainWindow::layOutForProjector() {
+  constexpr double kTypeScale = 1.5, kShareOf3D = 0.38;
+  chooseTypeScale(kTypeScale);
+  showDrawing(drawing().objectName());
+  m_docks->showOnly({&view3d()});
+  QDockWidget* view = m_docks->of(view3d());
+  view->setFloating(false);
+  resizeDocks({view}, {static_cast<int>(kShareOf3D * width())}, Qt::Horizontal);
 }
 
 void MainWindow::showShortcuts() {

@@ -1,5 +1,7 @@
 #include "ui/tools/click_tools.h"
 
+#include "core/foundations/base/translation.h"
+
 namespace geargraph {
 namespace link_tool {
 namespace {
@@ -82,6 +84,14 @@ Outcome<State> on(const State& state, const ToolEvent& event) {
 }
 
 }  // namespace note_tool
+
+namespace measure_tool {
+
+std::string_view hint() {
+  return toTranslate("Measure: click an axis, a pitch point or a gear");
+}
+
+}  // namespace measure_tool
 
 namespace pan_tool {
 namespace {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "ui/tools/tool.h"
 
 namespace geargraph {
@@ -50,6 +52,18 @@ using State = std::variant<Idle, Placing>;
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
 
 }  // namespace note_tool
+
+/// Measures: a click takes an element as the first or the second end. The drawing hands it to what the views
+/// of a window share; the tool has no state of its own.
+namespace measure_tool {
+
+struct Idle {};
+using State = std::variant<Idle>;
+
+/// What the user can do first, as a sentence for the status bar.
+[[nodiscard]] std::string_view hint();
+
+}  // namespace measure_tool
 
 /// Pans the sheet. The grabbed point stays under the mouse, so each PanBy is relative to the sheet's position
 /// before it.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/foundations/base/translation.h"
+#include "ui/tools/click_tools.h"
 #include "ui/tools/load_tool.h"
 
 namespace geargraph::section_tool {
@@ -100,6 +101,8 @@ std::string_view hint(const State& state, ToolKind tool) {
       return load_tool::hint({});
     case ToolKind::note:
       return toTranslate("Notes are written on the sheet of the digraph");
+    case ToolKind::measure:
+      return measure_tool::hint();
     case ToolKind::pan:
       return toTranslate("Drag to move the sheet");
     case ToolKind::select:

@@ -11,7 +11,7 @@
 namespace geargraph {
 
 /// The tools of the drawings, in the order of the tool bar.
-enum class ToolKind { select, link, turningJoint, gearMesh, input, load, note, pan };
+enum class ToolKind { select, link, turningJoint, gearMesh, input, load, note, measure, pan };
 
 constexpr int kToolCount = static_cast<int>(ToolKind::pan) + 1;
 

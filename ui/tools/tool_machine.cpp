@@ -53,6 +53,8 @@ std::string_view toolName(ToolKind tool) {
       return toTranslate("Load");
     case ToolKind::note:
       return toTranslate("Note");
+    case ToolKind::measure:
+      return toTranslate("Measure");
     case ToolKind::pan:
       return toTranslate("Pan");
   }
@@ -60,7 +62,7 @@ std::string_view toolName(ToolKind tool) {
 }
 
 char toolKey(ToolKind tool) {
-  constexpr std::string_view kKeys = "VLTGIWNH";
+  constexpr std::string_view kKeys = "VLTGIWNMH";
   return kKeys[static_cast<std::size_t>(tool)];
 }
 
@@ -81,6 +83,8 @@ ToolMachine::State ToolMachine::firstState(ToolKind tool) {
       return load_tool::State{};
     case ToolKind::note:
       return note_tool::State{};
+    case ToolKind::measure:
+      return measure_tool::State{};
     case ToolKind::pan:
       return pan_tool::State{};
   }
@@ -99,8 +103,10 @@ std::vector<Proposal> ToolMachine::on(const ToolEvent& event) {
     return step(*input, input_tool::on(*input, event));
   }
   if (auto* note = std::get_if<note_tool::State>(&m_state)) return step(*note, note_tool::on(*note, event));
-  // Loads are pulled with Select, too, and in every drawing: the view steps the tool itself.
+  // Loads are pulled with Select, too, and in every drawing: the view steps the tool itself. What is measured
+  // is shared with the 3D view.
   if (std::holds_alternative<load_tool::State>(m_state)) return {};
+  if (std::holds_alternative<measure_tool::State>(m_state)) return {};
   auto& pan = std::get<pan_tool::State>(m_state);
   return step(pan, pan_tool::on(pan, event));
 }
@@ -125,6 +131,8 @@ std::string_view ToolMachine::hint() const {
       return load_tool::hint(std::get<load_tool::State>(m_state));
     case ToolKind::note:
       return toTranslate("Note: click on an empty area, or on a note to change it");
+    case ToolKind::measure:
+      return measure_tool::hint();
     case ToolKind::pan:
       return toTranslate("Drag to move the sheet");
   }

@@ -27,7 +27,7 @@ class ToolMachine {
 
  private:
   using State = std::variant<select_tool::State, link_tool::State, joint_tool::State, input_tool::State,
-                             load_tool::State, note_tool::State, pan_tool::State>;
+                             load_tool::State, note_tool::State, measure_tool::State, pan_tool::State>;
   [[nodiscard]] static State firstState(ToolKind tool);
 
   ToolKind m_tool;

@@ -9,18 +9,18 @@
 
 namespace geargraph {
 
-OverlayLayer::OverlayLayer(Viewer* viewer) : QObject(viewer), m_viewer(viewer) {}
+OverlayLayer::OverlayLayer(Viewer* viewer, bool sharesLabels)
+    : QObject(viewer), m_viewer(viewer), m_sharesLabels(sharesLabels) {}
 
 void OverlayLayer::setPainting(PaintOver painting) {
   if (!painting && !m_painting) return;
   m_painting = std::move(painting);
-  m_viewer->setLabelsShared(static_cast<bool>(m_painting));
+  if (m_sharesLabels) m_viewer->setLabelsShared(static_cast<bool>(m_painting));
   emit m_viewer->viewChanged();
 }
 
 void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& viewer, bool isDark) {
-  const auto* layer = viewer.findChild<const OverlayLayer*>();
-  if (layer == nullptr || !layer->painting() || ground.stage.scene.instances.empty()) return;
+  if (ground.stage.scene.instances.empty()) return;
   const double scale = overlayScale();
   const LabelGround enlarged = ground.enlarged(scale);
   const ShownForces forces = viewer.shownForces();
@@ -28,7 +28,10 @@ void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& view
   painter.scale(scale, scale);
   painter.setRenderHint(QPainter::Antialiasing);
   const double top = bottomOfForceLegend(painter, enlarged, forces);
-  layer->painting()(painter, {enlarged, viewer.view(), top, isDark, forces.highlighted});
+  for (const auto* layer : viewer.findChildren<const OverlayLayer*>()) {
+    if (layer->painting())
+      layer->painting()(painter, {enlarged, viewer.view(), top, isDark, forces.highlighted});
+  }
   painter.restore();
 }
 

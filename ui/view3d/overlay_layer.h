@@ -27,12 +27,14 @@ struct OverlayPlace {
 /// Paints on any one thread at a time.
 using PaintOver = std::function<void(QPainter& painter, const OverlayPlace& place)>;
 
-/// What others lay over a 3D view, above labels and forces. It is a child of the view: findChild().
+/// What others lay over a 3D view, above labels and forces. It is a child of the view: findChild() gives the
+/// first layer, which pictures in files have, too; later ones are for the screen alone.
 class OverlayLayer : public QObject {
   Q_OBJECT
 
  public:
-  explicit OverlayLayer(Viewer* viewer);
+  /// `sharesLabels`: what is painted has labels of its own (Viewer::setLabelsShared()).
+  explicit OverlayLayer(Viewer* viewer, bool sharesLabels = true);
 
   /// Empty: nothing. The view is painted anew.
   void setPainting(PaintOver painting);
@@ -40,10 +42,11 @@ class OverlayLayer : public QObject {
 
  private:
   Viewer* m_viewer;
+  bool m_sharesLabels;
   PaintOver m_painting;
 };
 
-/// Paints the layer of a viewer's view; nothing where it has none.
+/// Paints the layers of a viewer's view; nothing where it has none.
 void paintLayer(QPainter& painter, const LabelGround& ground, const Viewer& viewer, bool isDark);
 /// Paints it over a picture of its own; nothing without a painting.
 void paintLayer(Image& image, const LabelGround& ground, const SceneView& view, const PaintOver& painting,

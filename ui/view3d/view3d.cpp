@@ -17,10 +17,12 @@
 #include "ui/view3d/axis_hold.h"
 #include "ui/view3d/canvas_host.h"
 #include "ui/view3d/canvas_surface.h"
+#include "ui/view3d/measure_layer.h"
 #include "ui/view3d/overlay_layer.h"
 #include "ui/view3d/playback_bar.h"
 #include "ui/view3d/section_bar.h"
 #include "ui/view3d/view_buttons.h"
+#include "ui/workbench/measuring.h"
 
 namespace geargraph {
 namespace {
@@ -50,6 +52,8 @@ class View3D::Private {
   [[nodiscard]] SceneRange range() const;
   void updateRange();
   void wireAxis();
+  void showReference();
+  bool measureKey(int key);
   void openPartMenu(std::optional<Hit> hit, const QPointF& at);
   [[nodiscard]] std::optional<ElementId> selectedLink() const;
 
@@ -65,6 +69,7 @@ class View3D::Private {
   QLabel* note;
   QLabel* painter;  ///< says so where the processor paints
   AxisHold* axis;
+  Measuring* measuring = nullptr;
   ViewButtons* buttons;
   bool isPaintedBySoftware = false;
 };
@@ -89,15 +94,43 @@ void View3D::Private::updateRange() {
 
 /// The axes of the document are those of the reference pose.
 void View3D::Private::wireAxis() {
-  connect(axis, &AxisHold::grabbed, q, [this] {
-    const std::vector<double>& hands = viewer.turnedByHand();
-    const bool isTurned = std::any_of(hands.begin(), hands.end(), [](double angle) { return angle != 0; });
-    if (playback.isPlaying() || playback.time() != 0 || isTurned || q->trajectory()) q->showMoment(0);
-  });
+  connect(axis, &AxisHold::grabbed, q, [this] { showReference(); });
   connect(axis, &AxisHold::pulled, q, &View3D::axisPulled);
   connect(axis, &AxisHold::dropped, q, &View3D::axisDropped);
   connect(axis, &AxisHold::putBack, q, &View3D::axisPutBack);
   connect(axis, &AxisHold::nudged, q, &View3D::axisNudged);
+}
+
+void View3D::Private::showReference() {
+  const std::vector<double>& hands = viewer.turnedByHand();
+  const bool isTurned = std::any_of(hands.begin(), hands.end(), [](double angle) { return angle != 0; });
+  if (playback.isPlaying() || playback.time() != 0 || isTurned || q->trajectory()) q->showMoment(0);
+}
+
+/// The keys of measuring; false: it is off, or the key is another.
+bool View3D::Private::measureKey(int key) {
+  if (measuring == nullptr || !measuring->isOn()) return false;
+  if (key == Qt::Key_Escape) {
+    if (!measuring->cancel()) measuring->setOn(false);
+    return true;
+  }
+  const auto link = key == Qt::Key_Return || key == Qt::Key_Enter ? selectedLink() : std::nullopt;
+  if (link) measuring->take(*link);
+  return link.has_value();
+}
+
+void View3D::setMeasuring(Measuring* measuring) {
+  d->measuring = measuring;
+  auto* layer = new MeasureLayer(&d->viewer, measuring);
+  connect(layer, &MeasureLayer::hintChanged, this, &View3D::hintChanged);
+  connect(measuring, &Measuring::changed, this, [this, measuring] {
+    if (!measuring->isOn()) return;
+    d->showReference();
+    ViewOptions flat = options();
+    if (flat.explosion == 0) return;
+    flat.explosion = 0;
+    setOptions(flat);
+  });
 }
 
 void View3D::Private::tellWhatPaints(bool isSoftware, const QString& why) {
@@ -434,6 +467,7 @@ void View3D::showFrom(StandardView view) {
 }
 
 void View3D::keyPressEvent(QKeyEvent* event) {
+  if (d->measureKey(event->key())) return;
   switch (event->key()) {
     case Qt::Key_Space:
       if (!event->isAutoRepeat()) d->playback.toggle();

@@ -16,6 +16,8 @@ class QMenu;
 
 namespace geargraph {
 
+class Measuring;
+
 /// The 3D view: a stage that can be turned, zoomed and played. While a single axis or turning joint is
 /// selected, its axis has a handle; grabbing it returns the train to its reference pose.
 ///
@@ -83,6 +85,9 @@ class View3D : public QWidget, public ResultsView {
   [[nodiscard]] static Navigation savedNavigation();
   void chooseNavigation(Navigation navigation);
   void setNavigation(Navigation navigation);
+  /// Measures with clicks while `measuring` is on, in the reference pose; Return takes the selected link, Esc
+  /// goes back and then ends.
+  void setMeasuring(Measuring* measuring);
   void setDark(bool dark);
   [[nodiscard]] const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);

@@ -3,6 +3,7 @@
 #include "core/presentation/mechanism_scene/mechanism_scene.h"
 #include "ui/view3d/view3d.h"
 #include "ui/workbench/views.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph {
 namespace {
@@ -40,6 +41,7 @@ ViewEntry view3dView() {
       .holdsAnswers = false,
       .make = [](Views& views, QWidget* parent) -> ResultsView* {
         auto* view = new View3D(views.selection(), parent);
+        view->setMeasuring(&views.workbench().measuring());
         QObject::connect(&views, &Views::momentWanted, view, [view, &views](double time) {
           view->showMoment(time);
           emit views.revealWanted(view);

@@ -55,6 +55,9 @@ class Viewer : public QObject {
   /// viewer's thread and in the order of the questions; for hovering only the newest question need be
   /// answered.
   using Pick = std::function<void(const Frame& frame, double x, double y, PickFor use, Answer answer)>;
+  /// Is told where the pointer is and what is there, when it hovers and when it clicks. True: it has used the
+  /// click, which then selects nothing.
+  using Probe = std::function<bool(const QPointF& place, const std::optional<Hit>& hit, bool isClick)>;
 
   explicit Viewer(Selection* selection, QObject* parent = nullptr);
 
@@ -114,6 +117,7 @@ class Viewer : public QObject {
   void setRenderStyle(const RenderStyle& style);
   /// Sets the picking function; pending questions are dropped.
   void setPick(Pick pick);
+  void setProbe(Probe probe) { m_probe = std::move(probe); }
   /// Sets the size of the canvas in device pixels, and the number of device pixels per logical pixel.
   void setViewport(const Viewport& viewport, double pixelRatio);
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
@@ -229,6 +233,7 @@ class Viewer : public QObject {
   bool m_isCameraChosen = false;
   std::optional<Camera> m_opening;  ///< camera stored in that document
   Pick m_pick;
+  Probe m_probe;
   Gesture m_gesture = Gesture::none;
   Navigation m_navigation = Navigation::blender;
   QPointF m_pressedAt;

@@ -48,7 +48,7 @@ void Viewer::setPick(Pick pick) {
 
 void Viewer::hover(const QPointF& place) {
   m_isPointedAt = true;
-  ask(place, PickFor::hover, [this](const std::optional<Hit>& hit) {
+  ask(place, PickFor::hover, [this, place](const std::optional<Hit>& hit) {
     if (!m_isPointedAt) return;
     hit ? m_selection->hover(hit->element) : m_selection->unhover();
     const Gesture gesture = gestureOn(hit, false);
@@ -57,6 +57,7 @@ void Viewer::hover(const QPointF& place) {
                  : hit && m_view.trajectory ? tr("Drag to orbit: the train moves as its torques make it")
                  : hit                      ? tr("Drag to orbit: this part does not turn")
                                             : tr("Drag to orbit, with Shift to pan; the wheel zooms"));
+    if (m_probe) m_probe(place, hit, false);
   });
 }
 
@@ -185,7 +186,9 @@ bool Viewer::mouseRelease(const QMouseEvent& event) {
         [this, place](const std::optional<Hit>& hit) { emit menuWanted(hit, place); });
   } else if (event.button() == Qt::LeftButton) {
     const bool isAdded = event.modifiers().testFlag(Qt::ControlModifier);
-    ask(place, PickFor::gesture, [this, isAdded](const std::optional<Hit>& hit) { click(hit, isAdded); });
+    ask(place, PickFor::gesture, [this, place, isAdded](const std::optional<Hit>& hit) {
+      if (!m_probe || !m_probe(place, hit, true)) click(hit, isAdded);
+    });
   }
   return true;
 }

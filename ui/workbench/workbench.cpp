@@ -25,6 +25,7 @@ Workbench::Workbench(Document* document, Selection* selection, QObject* parent)
     : QObject(parent),
       m_document(document),
       m_selection(selection),
+      m_measuring(new Measuring(document, this)),
       m_analysis(new AnalysisService(
           this, [this](const SnapshotPtr& snapshot) { m_stages->requestScene(snapshot); })),
       m_stages(new SceneService(this)),

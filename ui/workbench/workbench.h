@@ -4,6 +4,7 @@
 #include "ui/document/selection.h"
 #include "ui/workbench/analysis_service.h"
 #include "ui/workbench/forces_service.h"
+#include "ui/workbench/measuring.h"
 #include "ui/workbench/motion_check_service.h"
 #include "ui/workbench/scene_service.h"
 
@@ -25,6 +26,7 @@ class Workbench final : public QObject {
 
   [[nodiscard]] Document& document() { return *m_document; }
   [[nodiscard]] Selection& selection() { return *m_selection; }
+  [[nodiscard]] Measuring& measuring() { return *m_measuring; }
   [[nodiscard]] AnalysisService& analysis() { return *m_analysis; }
   [[nodiscard]] SceneService& stages() { return *m_stages; }
   [[nodiscard]] ForcesService& forces() { return *m_forces; }
@@ -40,6 +42,7 @@ class Workbench final : public QObject {
 
   Document* m_document;
   Selection* m_selection;
+  Measuring* m_measuring;
   AnalysisService* m_analysis;
   SceneService* m_stages;
   ForcesService* m_forces;

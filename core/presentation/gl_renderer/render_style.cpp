@@ -12,7 +12,7 @@ RenderStyle RenderStyle::light() {
   style.shadowStrength = 0.34F;
   style.edge = Rgb::fromHex(0x1B1F25);
   style.edgeStrength = 0.4F;
-  style.accent = Rgb::fromHex(0x2F6FED);
+  style.accent = Rgb::fromHex(0x2A68E4);
   style.letters = Rgb::fromHex(0x23272E);
   return style;
 }
