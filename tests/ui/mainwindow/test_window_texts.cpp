@@ -3,8 +3,11 @@
 #include <QTest>
 
 #include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/window_actions.h"
 #include "ui/settings/languages.h"
 #include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 
@@ -49,6 +52,19 @@ class WindowTextsTest : public QObject {
       }
       menu->close();
     }
+  }
+
+  void theProjectorHasALargeDrawingBeside3D() {
+    const auto window = test::openedWindow(QStringLiteral(":/examples/robot.geargraph"));
+    QVERIFY(window != nullptr);
+    window->resize(1280, 720);
+    window->actions()[CommandId::projector]->trigger();
+    QTRY_VERIFY(window->drawing().width() >= 0.6 * window->width());
+    QCOMPARE(test::shownDocks(*window).size(), 1);
+    QVERIFY(window->view3d().isVisible() && window->view3d().width() > 0.3 * window->width());
+    QVERIFY(QFontInfo(window->font()).pixelSize() * 11 / 13 >= 14);  // of captions
+    window->actions()[CommandId::resetLayout]->trigger();
+    QTRY_VERIFY(test::shownDocks(*window).size() > 1);
   }
 };
 
