@@ -3018,6 +3018,10 @@
         <translation>Zahnradgetriebe</translation>
     </message>
     <message>
+        <source>Clocks</source>
+        <translation>Uhren</translation>
+    </message>
+    <message>
         <source>Gearboxes</source>
         <translation>Schaltgetriebe</translation>
     </message>

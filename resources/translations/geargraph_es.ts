@@ -3018,6 +3018,10 @@
         <translation>Trenes de engranajes</translation>
     </message>
     <message>
+        <source>Clocks</source>
+        <translation>Relojes</translation>
+    </message>
+    <message>
         <source>Gearboxes</source>
         <translation>Cajas de cambios</translation>
     </message>

@@ -3016,6 +3016,10 @@
         <translation>Dişli takımları</translation>
     </message>
     <message>
+        <source>Clocks</source>
+        <translation>Saatler</translation>
+    </message>
+    <message>
         <source>Gearboxes</source>
         <translation>Vites kutuları</translation>
     </message>

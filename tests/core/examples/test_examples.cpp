@@ -57,6 +57,14 @@ const std::vector<Promise>& promises() {
       {"hoist-reducer", 1, 0, {{6, Rational(-8, 23)}, {8, Rational(-152, 6785)}}},
       {"three-speed-hub", 1, 0, {{5, Rational(4, 3)}}},
       {"three-roll-wrist", 3, 0, {{9, Rational(-4, 5)}, {11, 0}, {12, Rational(-2, 3)}}},
+      {"guided-vehicle", 1, 0, {{10, Rational(39, 8000)}}},
+      {"mantel-clock", 1, 0, {{8, 60}, {10, Rational(1, 12)}}, {Code::interference}},
+      {"one-hand-clock",
+       1,
+       0,
+       {{8, -960}},
+       {Code::undercut, Code::interference, Code::undercut, Code::interference, Code::interference,
+        Code::interference}},
   };
   return all;
 }
