@@ -4,6 +4,7 @@
 
 #include "core/machine/body_layout/coaxial_plan.h"
 #include "core/machine/body_layout/cross_shaft_bosses.h"
+#include "core/machine/body_layout/eccentrics.h"
 #include "core/machine/body_layout/intersecting_arms.h"
 #include "core/machine/body_layout/nested_shafts.h"
 #include "core/machine/body_layout/parallel_arms.h"
@@ -50,6 +51,11 @@ void placeLink(PlanDraft& draft, LinkOrdinal link) {
   if (held.empty()) return;
   const AxisGroupOrdinal home = homeOf(draft, link);
   if (link == 0) reserveSlots(draft);
+  for (const auto& [c, b] : held) {
+    Bearing& bearing = draft.axis(c).bearings[b];
+    if (link != 0 && !bearing.placed && isEccentric(draft, home, c))
+      placeEccentric(draft, link, home, bearing);
+  }
   for (const auto& round : roundsOf(draft, link, home)) {
     if (draft.isStopped()) return;
     placeParallel(draft, link, home, round);

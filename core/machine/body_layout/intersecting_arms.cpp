@@ -102,13 +102,33 @@ int shaftCollisions(const PlanDraft& draft, const ArmPlan& arm) {
   return count;
 }
 
+/// How many shafts that other arms of the link hold stand in the way of a bar in the plane of these arms.
+int heldInTheWay(const PlanDraft& draft, const ArmPlan& arm) {
+  const AxisLayout& from = draft.axis(arm.from);
+  const auto [start, foot, end] = linesOf(from, draft.axis(arm.to), arm);
+  const Vector3d bar = foot - start;
+  if (bar.norm() < from.module) return 0;
+  const double reach = kShaftRadius * from.module + 0.5 * from.width();
+  const auto& arms = draft.armsOf[arm.link];
+  return static_cast<int>(std::count_if(arms.begin(), arms.end(), [&](std::size_t a) {
+    const ArmPlan& other = draft.plan.arms[a];
+    if (other.from != arm.from || !draft.parallel(arm.from, other.to) ||
+        !from.isBelow(std::abs(other.level - arm.level), from.width()))
+      return false;
+    const Vector3d held = draft.axis(other.to).at(draft.carried(arm.from, arm.level, other.to)) - start;
+    const double part = std::clamp(held.dot(bar) / bar.squaredNorm(), 0.0, 1.0);
+    return from.isBelow((held - part * bar).norm(), reach);
+  }));
+}
+
 /// How many places of an arm with its standoff lie in gears of other links.
 int armCollisions(const PlanDraft& draft, const ArmPlan& arm) {
   const AxisLayout& from = draft.axis(arm.from);
   const auto [start, foot, end] = linesOf(from, draft.axis(arm.to), arm);
   const double margin = 0.5 * from.width() + 0.3 * from.module;
   return draft.obstacles.collisions(arm.link, start, foot, margin) +
-         draft.obstacles.collisions(arm.link, end, foot, margin) + shaftCollisions(draft, arm);
+         draft.obstacles.collisions(arm.link, end, foot, margin) + shaftCollisions(draft, arm) +
+         heldInTheWay(draft, arm);
 }
 
 /// Levels beside the link's own wheel and arms, or outside of everything.

@@ -254,6 +254,28 @@ class ArrangementTest : public QObject {
     }
   }
 
+  /// The crank of a cycloidal drive: its own shaft ends before the disc, and the disc turns on a pin beside
+  /// it.
+  void aDiscTurnsOnAPinOfItsCrank() {
+    for (const char* name : {"cycloidal-drive", "strain-wave", "rv-reducer"}) {
+      const Arranged arranged(test::example(name));
+      QVERIFY(arranged.plan.blocked.empty());
+      QCOMPARE(arranged.plan.pins.size(), std::size_t{1});
+      const PinPlan& pin = arranged.plan.pins.front();
+      const AxisLayout& across = arranged.plan.axes[pin.axisGroup];
+      QCOMPARE(across.bearings.size(), std::size_t{1});
+      const Bearing& bearing = across.bearings.front();
+      QVERIFY(bearing.form == BearingForm::pin);
+      const auto wheels = across.wheelsOf(bearing.child);
+      QVERIFY(wheels);
+      const ShaftSegment* own = arranged.plan.shaftOf(pin.home, pin.link, pin.level);
+      const ShaftSegment* held = arranged.plan.shaftOf(pin.axisGroup, pin.link, bearing.at);
+      QVERIFY(own != nullptr && held != nullptr);
+      QVERIFY(own->high < wheels->low || own->low > wheels->high);
+      QVERIFY(held->low < wheels->low && held->high > wheels->high);
+    }
+  }
+
   /// The sun's shaft runs within the carrier's, the bearing of the carrier is nearer to its arm.
   void aDifferentialIsCarriedByAHollowShaft() {
     const Arranged arranged(test::example("bevel-differential"));
