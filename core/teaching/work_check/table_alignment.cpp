@@ -89,12 +89,31 @@ class AlignmentSearch {
     }
     if (!m_areRowsFree) return tryRow(row, m_rows[row], ofWritten, ofDerived);
     const auto count = static_cast<int>(m_rows.size());
-    for (int i = 0; i < count; ++i) {
-      const int candidate = (static_cast<int>(row) + i) % count;
-      if (m_isTaken[static_cast<std::size_t>(candidate)] != 0) continue;
-      if (tryRow(row, candidate, ofWritten, ofDerived)) return true;
+    // Rows of one column may be equal for these teeth and not as formulas: first those that are so.
+    const auto& cells = m_written[row];
+    const bool areFormulas =
+        m_freedom == RowFreedom::none &&
+        std::any_of(cells.begin(), cells.end(), [](const WrittenAmount& cell) { return cell.hasRatios; });
+    for (const bool byFormula : {true, false}) {
+      if (byFormula && !areFormulas) continue;
+      for (int i = 0; i < count; ++i) {
+        const int candidate = (static_cast<int>(row) + i) % count;
+        if (m_isTaken[static_cast<std::size_t>(candidate)] != 0) continue;
+        if (areFormulas && byFormula != agreesAsFormulas(row, candidate)) continue;
+        if (tryRow(row, candidate, ofWritten, ofDerived)) return true;
+      }
     }
     return false;
+  }
+
+  /// Is each written entry, as a formula, an entry of the derived row?
+  [[nodiscard]] bool agreesAsFormulas(std::size_t row, int candidate) const {
+    const auto& entries = m_derived.entries[static_cast<std::size_t>(candidate)];
+    return std::all_of(m_written[row].begin(), m_written[row].end(), [&](const WrittenAmount& cell) {
+      return std::any_of(entries.begin(), entries.end(), [&](const DerivedEntry& entry) {
+        return agreementOf(m_vocabulary, cell, entry) == TableAgreement::full;
+      });
+    });
   }
 
   bool tryRow(std::size_t row, int candidate, const std::vector<int>& ofWritten,

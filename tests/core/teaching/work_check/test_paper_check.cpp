@@ -2,6 +2,7 @@
 
 #include "core/teaching/work_check/work_check.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/train_sketch.h"
 
 namespace geargraph {
 
@@ -260,6 +261,23 @@ class PaperCheckTest : public QObject {
     const MatrixVerdict numbers =
         check("-1/2,0,0\n-1/3,-2/3,0\n-0.444,-8/9,-4/3\n-0.2963,-0.593,-8/9\n", PaperMatrix::solution);
     QVERIFY(numbers.outcome == WorkOutcome::right);
+  }
+
+  /// Rows whose ratios are equal for these teeth are told apart by their formulas.
+  void rowsOfEqualRatiosInAnotherOrder_areFoundByTheirSymbols() {
+    const ExerciseSource twins(test::TrainSketch(3)
+                                   .joint(0, 1, "a")
+                                   .joint(0, 2, "b")
+                                   .joint(0, 3, "c")
+                                   .mesh(1, 2, 20, 40, MeshKind::external)
+                                   .mesh(1, 3, 20, 40, MeshKind::external)
+                                   .inputs({{4, "1"}})
+                                   .build());
+    const auto verdict = checkPaper(twins, "S = [-i8; -i7]", PaperMatrix::solution);
+    QVERIFY(verdict);
+    const auto& solution = std::get<MatrixVerdict>(*verdict);
+    QVERIFY(solution.outcome != WorkOutcome::wrong);
+    QCOMPARE(solution.notes.front(), std::string("Your rows are in another order: 6 and 5."));
   }
 
   /// With these teeth i16 = i18 = 2/3.
