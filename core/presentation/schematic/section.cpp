@@ -21,6 +21,19 @@ constexpr double kContactWidth = 5;
 constexpr int kAxisDepth = kLineDepth - 2;
 constexpr int kSymbolDepth = kLineDepth + 2;
 constexpr double kStrandWidth = 1.4;
+constexpr double kHoleRadius = 6;
+constexpr double kPinRadius = 3;
+constexpr double kPinReach = 10;  ///< from a wheel's body to where the line of a pin's link ends
+
+/// A pair without wheels of its own: the pins of a link in the holes of another, which are drawn on the body
+/// of a wheel of that one.
+struct PinPair {
+  int mesh = 0;
+  int holed = 0;            ///< link
+  int pinned = 0;           ///< link
+  const SheetWheel* wheel;  ///< of the link with the holes
+  double height = 0;        ///< of hole and pin above the wheel's axis
+};
 
 class SectionBuilder {
  public:
@@ -62,6 +75,9 @@ class SectionBuilder {
   [[nodiscard]] std::vector<LinkLine> startsOf(const SheetArm& arm) const;
   void addArrow(const SheetBearing& bearing, double height);
   void addArms();
+  [[nodiscard]] std::vector<PinPair> pinPairs() const;
+  [[nodiscard]] const SheetWheel* stemOf(int link) const;
+  void addPin(const PinPair& pair, CanvasPoint end);
   void addMesh(const SheetPair& pair);
   void addStrands(const SheetWheel& a, const SheetWheel& b, const GearMesh& drawn, Section::Anchors& anchors);
   void addAxes();
@@ -73,6 +89,11 @@ class SectionBuilder {
   }
   [[nodiscard]] Tint tintOf(int link) const { return m_part.tintOf(link); }
   [[nodiscard]] ElementId idOf(int link) const { return m_part.mechanism.links[link].id; }
+  [[nodiscard]] int linkAt(const LinkId& id) const {
+    const auto& links = m_part.mechanism.links;
+    const auto isIt = [&](const Link& link) { return link.id == id; };
+    return static_cast<int>(std::find_if(links.begin(), links.end(), isIt) - links.begin());
+  }
   [[nodiscard]] ElementId jointId(int joint) const { return m_part.mechanism.turningJoints[joint].id; }
   /// Height of the link's shaft above an axis, of several the one nearest to the place.
   [[nodiscard]] double laneOf(int a, int link, double near) const {
@@ -337,13 +358,64 @@ std::vector<LinkLine> SectionBuilder::startsOf(const SheetArm& arm) const {
   return starts;
 }
 
-/// Arms to axes across, and to wheels that a link holds on the axis of another: found round what is drawn.
-/// Those of the arrangement begin where it has them.
+/// The largest wheel of a link that stands on a shaft.
+const SheetWheel* SectionBuilder::stemOf(int link) const {
+  const SheetWheel* largest = nullptr;
+  for (const SheetWheel& wheel : m_layout.wheels) {
+    if (wheel.link != link || link == 0 || wheel.isRing()) continue;
+    if (largest == nullptr || wheel.radius > largest->radius) largest = &wheel;
+  }
+  return largest;
+}
+
+std::vector<PinPair> SectionBuilder::pinPairs() const {
+  std::vector<PinPair> pairs;
+  for (std::size_t m = 0; m < m_part.mechanism.gearMeshes.size(); ++m) {
+    const auto isIts = [&](const SheetPair& pair) { return pair.mesh == static_cast<int>(m); };
+    if (!m_placement.meshes[m] || touches(saidKind(m_part.mechanism.gearMeshes[m])) ||
+        std::any_of(m_layout.pairs.begin(), m_layout.pairs.end(), isIts))
+      continue;
+    PinPair pair{static_cast<int>(m), linkAt(m_part.mechanism.gearMeshes[m].tail),
+                 linkAt(m_part.mechanism.gearMeshes[m].head), nullptr, 0};
+    pair.wheel = stemOf(pair.holed);
+    if (pair.wheel == nullptr) {
+      std::swap(pair.holed, pair.pinned);
+      pair.wheel = stemOf(pair.holed);
+    }
+    if (pair.wheel == nullptr) continue;
+    const double lane = laneOf(pair.wheel->axis, pair.holed, pair.wheel->at);
+    pair.height = (lane + pair.wheel->radius) / 2;
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+/// A hole as a circle on the wheel's body, and the pin in it, to which the line of its link comes at `end`.
+void SectionBuilder::addPin(const PinPair& pair, CanvasPoint end) {
+  const SheetAxis& on = axis(pair.wheel->axis);
+  const double side = on.heightOf(end) < 0 ? -1 : 1;
+  const CanvasPoint centre = on.at(pair.wheel->at, side * pair.height);
+  const ElementId mesh = m_part.mechanism.gearMeshes[pair.mesh].id;
+  line(pair.pinned, end, centre + kPinRadius * unit(end - centre), kLinkWidth);
+  put(mesh, MarkRole::line, kSymbolDepth, Fill{Circle{centre, kHoleRadius}, ColorRole::sheet});
+  put(mesh, MarkRole::line, kSymbolDepth,
+      Stroke{Circle{centre, kHoleRadius}, tintOf(pair.holed), kLinkWidth, Dash::solid});
+  put(mesh, MarkRole::line, kSymbolDepth, Fill{Circle{centre, kPinRadius}, tintOf(pair.pinned)});
+  m_section.outlines.push_back({mesh, kSymbolDepth + 1, Circle{centre, kHoleRadius}, 1});
+  Section::Anchors anchors{mesh, {}};
+  for (const double place : {-side, side})
+    anchor(anchors, on.at(pair.wheel->at, side * pair.height + place * kHoleRadius));
+  m_section.meshes.push_back(std::move(anchors));
+}
+
+/// Arms to axes across, to wheels that a link holds on the axis of another, and to pins in holes: found round
+/// what is drawn. Those of the arrangement begin where it has them.
 void SectionBuilder::addArms() {
   struct Wanted {
     int link;
     const SheetArm* arm;  ///< null: it may begin anywhere on the link
     std::vector<CanvasPoint> ends;
+    const PinPair* pins = nullptr;
   };
   m_hold = 0;
   std::vector<Wanted> wanted;
@@ -368,6 +440,15 @@ void SectionBuilder::addArms() {
     }
     wanted.push_back(std::move(way));
   }
+  const std::vector<PinPair> pairs = pinPairs();
+  for (const PinPair& pair : pairs) {
+    Wanted way{pair.pinned, nullptr, {}, &pair};
+    for (const double side : sides(pair.wheel->axis)) {
+      for (const double beside : {kPinReach, -kPinReach})
+        way.ends.push_back(axis(pair.wheel->axis).at(pair.wheel->at + beside, side * pair.height));
+    }
+    wanted.push_back(std::move(way));
+  }
   std::vector<CanvasPoint> ends;
   for (const Wanted& way : wanted) {
     ends.insert(ends.end(), way.ends.begin(), way.ends.end());
@@ -382,6 +463,7 @@ void SectionBuilder::addArms() {
     if (!course) continue;
     const std::vector<CanvasPoint>& points = course->points;
     for (std::size_t i = 1; i < points.size(); ++i) line(way.link, points[i - 1], points[i], kLinkWidth);
+    if (way.pins != nullptr) addPin(*way.pins, way.ends[course->target]);
     if (way.arm != nullptr) {
       for (std::size_t i = 1; i < points.size(); ++i)
         m_armLines[way.arm->joint].push_back({points[i - 1], points[i], way.link, 0});

@@ -193,6 +193,32 @@ class SchematicTest : public QObject {
     QCOMPARE(left.join(", "), QString());
   }
 
+  /// A hole in the colour of the disc and a pin in that of the output, to which a line of the output comes.
+  void pinsAreCirclesOnTheDisc() {
+    const Mechanism drive = example("strain-wave");
+    const SchematicGeometry geometry = schematicGeometry(drive);
+    std::vector<std::optional<int>> colours;
+    CanvasPoint centre;
+    for (const Mark& mark : geometry.marks) {
+      if (mark.element != ElementId(drive.gearMeshes[1].id)) continue;
+      if (const auto* fill = std::get_if<Fill>(&mark.what)) {
+        const auto* pin = std::get_if<Circle>(&fill->shape);
+        if (pin == nullptr || !fill->tint.link) continue;
+        centre = pin->center;
+        colours.push_back(fill->tint.link);
+      } else if (const auto* stroke = std::get_if<Stroke>(&mark.what)) {
+        if (std::holds_alternative<Circle>(stroke->shape)) colours.push_back(stroke->tint.link);
+      }
+    }
+    QCOMPARE(colours.size(), std::size_t{2});
+    QVERIFY(colours[0] != colours[1]);
+    const std::vector<Segment> segments = segmentsOf(geometry);
+    QVERIFY(std::any_of(segments.begin(), segments.end(), [&](const Segment& segment) {
+      return segment.link == colours[1] &&
+             std::min(distance(segment.from, centre), distance(segment.to, centre)) < 4;
+    }));
+  }
+
   void labelsAreFreeInTextbookAndRandomTrains() {
     for (const test::TextbookTrain& train : test::textbookTrains()) {
       const SchematicGeometry geometry = schematicGeometry(train.mechanism);
