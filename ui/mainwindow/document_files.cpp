@@ -144,14 +144,16 @@ std::vector<ExampleGroup> exampleGroups() {
   };
   std::vector<ExampleGroup> groups{
       {QCoreApplication::translate("DocumentFiles", "Robots"),
-       pathsOf({"robot", "bevel-wrist", "three-roll-wrist"})},
+       pathsOf({"robot", "bevel-wrist", "three-roll-wrist", "puma-wrist"})},
       {QCoreApplication::translate("DocumentFiles", "Gear trains"),
        pathsOf({"spur-pair", "reverted-train", "helical-reverted-train", "planetary-ring-held",
                 "three-planets", "bevel-differential", "humpage-reduction", "ferguson-paradox"})},
-      {QCoreApplication::translate("DocumentFiles", "Clocks"), pathsOf({"mantel-clock", "one-hand-clock"})},
+      {QCoreApplication::translate("DocumentFiles", "Clocks"),
+       pathsOf({"mantel-clock", "one-hand-clock", "antikythera"})},
       {QCoreApplication::translate("DocumentFiles", "Gearboxes"),
        pathsOf({"simpson", "ravigneaux", "eight-speed-gearbox", "prius-power-split", "three-speed-hub",
-                "hoist-reducer", "worm-hoist", "guided-vehicle"})},
+                "hoist-reducer", "worm-hoist", "guided-vehicle", "strain-wave", "cycloidal-drive",
+                "rv-reducer"})},
       {QCoreApplication::translate("DocumentFiles", "Not as they should be"),
        pathsOf({"redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"})}};
   for (const QString& name : examples.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {

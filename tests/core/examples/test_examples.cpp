@@ -65,6 +65,15 @@ const std::vector<Promise>& promises() {
        {{8, -960}},
        {Code::undercut, Code::interference, Code::undercut, Code::interference, Code::interference,
         Code::interference}},
+      {"antikythera", 1, 0, {{14, Rational(-254, 19)}, {17, Rational(-5, 19)}, {20, Rational(-940, 4237)}}},
+      {"strain-wave", 1, 0, {{5, Rational(-35, 34)}, {6, Rational(-1, 34)}}, {Code::interference}},
+      {"cycloidal-drive",
+       1,
+       0,
+       {{5, Rational(-16, 15)}, {6, Rational(-1, 15)}},
+       {Code::undercut, Code::interference}},
+      {"rv-reducer", 1, 0, {{7, Rational(1, 121)}, {8, Rational(-40, 121)}, {9, Rational(-40, 121)}}},
+      {"puma-wrist", 3, 0, {{14, 0}, {15, Rational(-13, 935)}, {16, Rational(13, 72) * Rational(13, 935)}}},
   };
   return all;
 }

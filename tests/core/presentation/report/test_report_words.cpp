@@ -25,6 +25,10 @@ std::vector<std::string> namesIn(const Mechanism& mechanism) {
                                  "export",      "matrix", "spanning-tree", "reduced-incidence",
                                  "cycle-basis", "deg",    mechanism.name,  mechanism.notes,
                                  mechanism.unit};
+  for (int m = 0; m < mechanism.c(); ++m) {  // gears, as options name them
+    for (const char* side : {":tail", ":head"})
+      names.push_back(std::to_string(mechanism.meshLabel(m)) + side);
+  }
   for (const Link& link : mechanism.links) {
     names.push_back(link.name);
     names.push_back(link.id.text());
