@@ -43,7 +43,8 @@ const Command& commandNamed(std::string_view name) {
                         [&](const Command* command) { return command->name == name; });
 }
 
-/// As runServed(); an export of a folder writes where nothing of it is left, and its files are in the outcome.
+/// As runServed(); an export of a folder writes where nothing of it is left, and its files are in the
+/// outcome.
 HostedOutcome runHosted(const Command& command, std::vector<std::string> words, const HostedTexts& texts,
                         const ServedLimits& limits) {
   if (&command != &kExport || !asksForFolder(words))

@@ -109,8 +109,8 @@ const ShaftSegment* KitBuilder::passing(AxisGroupOrdinal axisGroup, LinkOrdinal 
   return widest;
 }
 
-Outline KitBuilder::bore(LinkOrdinal link, AxisGroupOrdinal axisGroup, double at, double half,
-                         const Isometry3d& pose) {
+KitOutline KitBuilder::bore(LinkOrdinal link, AxisGroupOrdinal axisGroup, double at, double half,
+                            const Isometry3d& pose) {
   const AxisLayout& axis = plan.axes[axisGroup];
   const Vector2d centre = (pose.inverse() * axis.at(at)).head<2>();
   if (const ShaftSegment* const own = ownShaft(axisGroup, link, at)) {
@@ -164,7 +164,7 @@ KitPart& KitBuilder::add(KitPartKind kind, LinkOrdinal link, const std::string& 
 }
 
 std::string KitBuilder::engrave(PlateShape& shape, LinkOrdinal link) const {
-  std::vector<Outline> face{shape.outer.back().outline};
+  std::vector<KitOutline> face{shape.outer.back().outline};
   for (const auto* const holes : {&shape.holes, &shape.wells}) {
     for (const std::vector<Rim>& hole : *holes) face.push_back(hole.back().outline);
   }
@@ -172,7 +172,7 @@ std::string KitBuilder::engrave(PlateShape& shape, LinkOrdinal link) const {
   for (const double height : {8.0, 6.5, 5.0, 4.0, 3.2}) {
     Vector2d centre;
     if (!roomFor(face, {digitsWidth(number, height), height}, 0.8, centre)) continue;
-    for (Outline& digit : digitOutlines(number, height))
+    for (KitOutline& digit : digitOutlines(number, height))
       shape.topPockets.push_back(shifted(std::move(digit), centre));
     return number;
   }
@@ -188,7 +188,7 @@ std::vector<Rim> screwHole(const Vector2d& centre, double low, double high, bool
 }
 
 std::vector<Rim> tapHole(const Vector2d& centre, double low, double high) {
-  const Outline round = reversed(circleOutline(centre, kTapHole, 24));
+  const KitOutline round = reversed(circleOutline(centre, kTapHole, 24));
   return {{low, round}, {high, round}};
 }
 

@@ -77,8 +77,8 @@ struct KitBuilder {
   /// The bore of a part of a link around an axis along its print frame's z, counter-clockwise: pressed onto
   /// the link's own shaft, or free around another's; empty if no shaft is there. Notes it as an item of the
   /// shaft over the thickness `half` on either side.
-  Outline bore(LinkOrdinal link, AxisGroupOrdinal axisGroup, double at, double half,
-               const Eigen::Isometry3d& pose);
+  KitOutline bore(LinkOrdinal link, AxisGroupOrdinal axisGroup, double at, double half,
+                  const Eigen::Isometry3d& pose);
   /// The radius that a boss around that bore needs.
   [[nodiscard]] double bossRadiusAt(LinkOrdinal link, AxisGroupOrdinal axisGroup, double at) const;
   void addScrew(double grip);

@@ -50,7 +50,7 @@ std::optional<KitFailure> addPedestal(KitBuilder& kit, const ArmPlan& arm, const
   std::vector<Vector2d> points = circleOutline({0, 0}, boss);
   points.emplace_back(-shoulder, -reach);
   points.emplace_back(shoulder, -reach);
-  Outline outline = hullOfPoints(std::move(points));
+  KitOutline outline = hullOfPoints(std::move(points));
   const auto corner = std::find_if(outline.begin(), outline.end(), [&](const Vector2d& p) {
     return p.x() < 0 && std::abs(p.y() + reach) < 1e-9;
   });
@@ -59,7 +59,7 @@ std::optional<KitFailure> addPedestal(KitBuilder& kit, const ArmPlan& arm, const
                               Vector2d(half, -reach)});
   PlateShape shape;
   shape.outer = chamferedWall(outline, 0, measures.thickness, kit.options.chamfer);
-  const Outline hole = kit.bore(arm.link, arm.to, arm.at, measures.thickness / 2, pose);
+  const KitOutline hole = kit.bore(arm.link, arm.to, arm.at, measures.thickness / 2, pose);
   if (!hole.empty())
     shape.holes.push_back(chamferedWall(reversed(hole), 0, measures.thickness, kit.options.chamfer));
   const std::string number = kit.engrave(shape, arm.link);
@@ -85,7 +85,7 @@ std::optional<KitFailure> addPlate(KitBuilder& kit, const ArmPlate& plate) {
   pose.translate(Vector3d(0, 0, -thickness / 2));
   std::vector<KitDisc> discs{{{0, 0}, kit.bossRadiusAt(plate.link, plate.axisGroup, plate.level)}};
   PlateShape shape;
-  const auto pierce = [&](const Outline& hole) {
+  const auto pierce = [&](const KitOutline& hole) {
     if (!hole.empty())
       shape.holes.push_back(chamferedWall(reversed(hole), 0, thickness, kit.options.chamfer));
   };

@@ -329,7 +329,7 @@ class GroundMaker {
         if (piece.low < middle && middle < piece.high) radius = std::max(radius, piece.radius);
       }
       if (radius == 0) radius = rims.empty() ? widest : (rims.back().outline.front() - centre).norm();
-      const Outline round = reversed(circleOutline(centre, radius, points));
+      const KitOutline round = reversed(circleOutline(centre, radius, points));
       if (!rims.empty() && std::abs((rims.back().outline.front() - centre).norm() - radius) < 1e-9) {
         rims.back().height = heights[i + 1];
         continue;

@@ -38,7 +38,7 @@ double distanceToEdge(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
 constexpr std::array<unsigned, 10> kSegments = {0x3F, 0x06, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 0x07, 0x7F, 0x6F};
 
 /// A stroke with pointed ends from a to b.
-Outline stroke(const Vector2d& a, const Vector2d& b, double width) {
+KitOutline stroke(const Vector2d& a, const Vector2d& b, double width) {
   const Vector2d along = (b - a).normalized() * width / 2;
   const Vector2d across(-along.y(), along.x());
   return {a, a + along - across, b - along - across, b, b - along + across, a + along + across};
@@ -51,14 +51,14 @@ constexpr double kDotAdvance = 0.35;
 
 }  // namespace
 
-Outline circleOutline(const Vector2d& centre, double radius, int points) {
+KitOutline circleOutline(const Vector2d& centre, double radius, int points) {
   const int count = points > 0 ? points : std::max(16, chordsOf(radius, 2 * pi));
-  Outline outline;
+  KitOutline outline;
   for (int i = 0; i < count; ++i) outline.push_back(centre + radius * unitAt(2 * pi * i / count));
   return outline;
 }
 
-Outline hullOfPoints(std::vector<Vector2d> points) {
+KitOutline hullOfPoints(std::vector<Vector2d> points) {
   GEARGRAPH_REQUIRE(points.size() > 2);
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -77,7 +77,7 @@ Outline hullOfPoints(std::vector<Vector2d> points) {
   return hull;
 }
 
-Outline hullOutline(std::span<const KitDisc> discs) {
+KitOutline hullOutline(std::span<const KitDisc> discs) {
   GEARGRAPH_REQUIRE(!discs.empty());
   double largest = 0;
   for (const KitDisc& disc : discs) largest = std::max(largest, disc.radius);
@@ -89,34 +89,34 @@ Outline hullOutline(std::span<const KitDisc> discs) {
   return hullOfPoints(std::move(points));
 }
 
-Outline flattedOutline(double radius, double flat, double towards) {
+KitOutline flattedOutline(double radius, double flat, double towards) {
   GEARGRAPH_REQUIRE(0 < flat && flat < radius);
   const double half = std::acos(flat / radius);
   const int count = std::max(12, chordsOf(radius, 2 * (pi - half)));
-  Outline outline;
+  KitOutline outline;
   for (int i = 0; i <= count; ++i)
     outline.push_back(radius * unitAt(towards + half + 2 * (pi - half) * i / count));
   return outline;
 }
 
-Outline boxOutline(const Vector2d& centre, const Vector2d& along, double length, double width) {
+KitOutline boxOutline(const Vector2d& centre, const Vector2d& along, double length, double width) {
   const Vector2d a = along * length / 2;
   const Vector2d b(-along.y() * width / 2, along.x() * width / 2);
   return {centre - a - b, centre + a - b, centre + a + b, centre - a + b};
 }
 
-Outline reversed(Outline outline) {
+KitOutline reversed(KitOutline outline) {
   std::reverse(outline.begin(), outline.end());
   return outline;
 }
 
-Outline shifted(Outline outline, const Vector2d& by) {
+KitOutline shifted(KitOutline outline, const Vector2d& by) {
   for (Vector2d& p : outline) p += by;
   return outline;
 }
 
-Outline inset(const Outline& outline, double by) {
-  Outline moved = outline;
+KitOutline inset(const KitOutline& outline, double by) {
+  KitOutline moved = outline;
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vector2d before = (outline[i] - outline[(i + n - 1) % n]).normalized();
@@ -128,16 +128,16 @@ Outline inset(const Outline& outline, double by) {
   return moved;
 }
 
-double doubledArea(const Outline& outline) {
+double doubledArea(const KitOutline& outline) {
   double area = 0;
   for (std::size_t i = 0; i < outline.size(); ++i)
     area += crossOf(outline[i], outline[(i + 1) % outline.size()]);
   return area;
 }
 
-bool isInside(std::span<const Outline> outlines, const Vector2d& p) {
+bool isInside(std::span<const KitOutline> outlines, const Vector2d& p) {
   bool inside = false;
-  for (const Outline& outline : outlines) {
+  for (const KitOutline& outline : outlines) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vector2d& a = outline[i];
       const Vector2d& b = outline[(i + 1) % outline.size()];
@@ -148,17 +148,17 @@ bool isInside(std::span<const Outline> outlines, const Vector2d& p) {
   return inside;
 }
 
-double distanceTo(std::span<const Outline> outlines, const Vector2d& p) {
+double distanceTo(std::span<const KitOutline> outlines, const Vector2d& p) {
   double least = 1e300;
-  for (const Outline& outline : outlines) {
+  for (const KitOutline& outline : outlines) {
     for (std::size_t i = 0; i < outline.size(); ++i)
       least = std::min(least, distanceToEdge(outline[i], outline[(i + 1) % outline.size()], p));
   }
   return least;
 }
 
-std::vector<Outline> digitOutlines(std::string_view text, double height) {
-  std::vector<Outline> outlines;
+std::vector<KitOutline> digitOutlines(std::string_view text, double height) {
+  std::vector<KitOutline> outlines;
   const double width = kDigitWidth * height, thick = kDigitStroke * height, half = height / 2;
   const double gap = 0.06 * height;  // between the points of two strokes
   double x = -digitsWidth(text, height) / 2;
@@ -193,9 +193,9 @@ double digitsWidth(std::string_view text, double height) {
   return width - (kDigitAdvance - kDigitWidth) * height;
 }
 
-bool roomFor(std::span<const Outline> outlines, const Vector2d& size, double margin, Vector2d& centre) {
+bool roomFor(std::span<const KitOutline> outlines, const Vector2d& size, double margin, Vector2d& centre) {
   Vector2d low(1e300, 1e300), high(-1e300, -1e300);
-  for (const Outline& outline : outlines) {
+  for (const KitOutline& outline : outlines) {
     for (const Vector2d& p : outline) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);

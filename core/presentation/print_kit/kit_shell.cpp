@@ -46,8 +46,8 @@ bool cross(const GridPoint& a, const GridPoint& b, const GridPoint& c, const Gri
 /// A polygon in which holes are tied to the outside by bridges, and its ears cut one after the other.
 class EarCutter {
  public:
-  explicit EarCutter(std::span<const Outline> outlines) {
-    for (const Outline& outline : outlines) {
+  explicit EarCutter(std::span<const KitOutline> outlines) {
+    for (const KitOutline& outline : outlines) {
       std::vector<std::uint32_t> loop;
       for (const Vector2d& p : outline) {
         loop.push_back(static_cast<std::uint32_t>(m_points.size()));
@@ -252,9 +252,9 @@ void KitShell::addWall(std::span<const Rim> rims) {
   }
 }
 
-bool KitShell::addFace(std::span<const Outline> outlines, double height, bool isUp) {
+bool KitShell::addFace(std::span<const KitOutline> outlines, double height, bool isUp) {
   std::vector<Vector3d> points;
-  for (const Outline& outline : outlines) {
+  for (const KitOutline& outline : outlines) {
     for (const Vector2d& p : outline) points.emplace_back(p.x(), p.y(), height);
   }
   const std::vector<Triangle> triangles = triangulated(outlines);
@@ -285,7 +285,7 @@ Solid KitShell::solid() const {
   return made;
 }
 
-std::vector<Triangle> triangulated(std::span<const Outline> outlines) {
+std::vector<Triangle> triangulated(std::span<const KitOutline> outlines) {
   return EarCutter(outlines).cut();
 }
 
@@ -304,7 +304,7 @@ bool isClosed(const Solid& solid) {
   });
 }
 
-std::vector<Rim> chamferedWall(const Outline& outline, double low, double high, double chamfer) {
+std::vector<Rim> chamferedWall(const KitOutline& outline, double low, double high, double chamfer) {
   if (chamfer <= 0) return {{low, outline}, {high, outline}};
   const double height = std::min(chamfer, 0.5 * (high - low));
   return {{low, inset(outline, chamfer)}, {low + height, outline}, {high, outline}};
@@ -313,7 +313,7 @@ std::vector<Rim> chamferedWall(const Outline& outline, double low, double high, 
 Solid plateSolid(const PlateShape& shape) {
   KitShell shell;
   shell.addWall(shape.outer);
-  std::vector<Outline> bottom{shape.outer.front().outline}, top{shape.outer.back().outline};
+  std::vector<KitOutline> bottom{shape.outer.front().outline}, top{shape.outer.back().outline};
   for (const std::vector<Rim>& hole : shape.holes) {
     shell.addWall(hole);
     bottom.push_back(hole.front().outline);
@@ -324,20 +324,20 @@ Solid plateSolid(const PlateShape& shape) {
   for (const std::vector<Rim>& well : shape.wells) {
     shell.addWall(well);
     top.push_back(well.back().outline);
-    const Outline& floor = well.front().outline;
-    isMade = shell.addFace(std::vector<Outline>{reversed(floor)}, well.front().height, true) && isMade;
+    const KitOutline& floor = well.front().outline;
+    isMade = shell.addFace(std::vector<KitOutline>{reversed(floor)}, well.front().height, true) && isMade;
   }
-  for (const Outline& pocket : shape.topPockets) {
-    const Outline hole = reversed(pocket);
+  for (const KitOutline& pocket : shape.topPockets) {
+    const KitOutline hole = reversed(pocket);
     top.push_back(hole);
     shell.addWall(std::vector<Rim>{{high - shape.pocketDepth, hole}, {high, hole}});
-    isMade = shell.addFace(std::vector<Outline>{pocket}, high - shape.pocketDepth, true) && isMade;
+    isMade = shell.addFace(std::vector<KitOutline>{pocket}, high - shape.pocketDepth, true) && isMade;
   }
-  for (const Outline& pocket : shape.bottomPockets) {
-    const Outline hole = reversed(pocket);
+  for (const KitOutline& pocket : shape.bottomPockets) {
+    const KitOutline hole = reversed(pocket);
     bottom.push_back(hole);
     shell.addWall(std::vector<Rim>{{low, hole}, {low + shape.pocketDepth, hole}});
-    isMade = shell.addFace(std::vector<Outline>{pocket}, low + shape.pocketDepth, false) && isMade;
+    isMade = shell.addFace(std::vector<KitOutline>{pocket}, low + shape.pocketDepth, false) && isMade;
   }
   isMade = shell.addFace(bottom, low, false) && isMade;
   isMade = shell.addFace(top, high, true) && isMade;

@@ -14,7 +14,7 @@ namespace geargraph {
 /// An outline at a height. Outlines of one wall have the same number of points.
 struct Rim {
   double height = 0;
-  Outline outline;
+  KitOutline outline;
 };
 
 /// The surface of a printed part: walls between outlines and flat faces, all of whose points are on a grid of
@@ -31,7 +31,7 @@ class KitShell {
   /// step.
   void addWall(std::span<const Rim> rims);
   /// A flat face that the outlines bound, holes clockwise: up, or down. False if they cross each other.
-  [[nodiscard]] bool addFace(std::span<const Outline> outlines, double height, bool isUp);
+  [[nodiscard]] bool addFace(std::span<const KitOutline> outlines, double height, bool isUp);
 
   [[nodiscard]] Solid solid() const;
 
@@ -41,7 +41,7 @@ class KitShell {
 
 /// The triangles of a region, as positions in the outlines one after the other; counter-clockwise. Exact on
 /// the grid. Empty if outlines cross or touch each other. Cost: O(n^2) at worst, n points.
-[[nodiscard]] std::vector<Triangle> triangulated(std::span<const Outline> outlines);
+[[nodiscard]] std::vector<Triangle> triangulated(std::span<const KitOutline> outlines);
 
 /// A closed solid has every edge once in either direction, after welding of equal positions.
 [[nodiscard]] bool isClosed(const Solid& solid);
@@ -50,10 +50,10 @@ class KitShell {
 /// and pockets sunk into either face.
 struct PlateShape {
   std::vector<Rim> outer;
-  std::vector<std::vector<Rim>> holes;  ///< clockwise, upwards from the lower face to the upper one
-  std::vector<std::vector<Rim>> wells;  ///< the same, from a floor of their own
-  std::vector<Outline> topPockets;      ///< counter-clockwise, as seen from above
-  std::vector<Outline> bottomPockets;   ///< the same
+  std::vector<std::vector<Rim>> holes;    ///< clockwise, upwards from the lower face to the upper one
+  std::vector<std::vector<Rim>> wells;    ///< the same, from a floor of their own
+  std::vector<KitOutline> topPockets;     ///< counter-clockwise, as seen from above
+  std::vector<KitOutline> bottomPockets;  ///< the same
   double pocketDepth = 0.6;
 };
 
@@ -62,6 +62,7 @@ struct PlateShape {
 
 /// The rims of a straight wall from `low` to `high` whose lowest part is moved into the material against the
 /// spread of the first layer; `chamfer` 0: none.
-[[nodiscard]] std::vector<Rim> chamferedWall(const Outline& outline, double low, double high, double chamfer);
+[[nodiscard]] std::vector<Rim> chamferedWall(const KitOutline& outline, double low, double high,
+                                             double chamfer);
 
 }  // namespace geargraph

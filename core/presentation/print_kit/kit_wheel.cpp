@@ -32,19 +32,19 @@ double onGridHeight(double z) {
 /// the faces leave, the outermost first, each with the material on its left.
 struct ToothSurface {
   std::vector<std::array<Vector3d, 3>> triangles;
-  std::vector<Outline> low;
-  std::vector<Outline> high;
+  std::vector<KitOutline> low;
+  std::vector<KitOutline> high;
   double height = 0;
   double second = 0;  ///< the lowest height of a point above the lower face
 };
 
-std::vector<Outline> loopsAt(const std::map<std::uint32_t, std::uint32_t>& after,
-                             const std::vector<Vector3d>& points, double height) {
-  std::vector<Outline> loops;
+std::vector<KitOutline> loopsAt(const std::map<std::uint32_t, std::uint32_t>& after,
+                                const std::vector<Vector3d>& points, double height) {
+  std::vector<KitOutline> loops;
   std::map<std::uint32_t, bool> seen;
   for (const auto& [from, to] : after) {
     if (seen[from] || std::abs(points[from].z() - height) > kSameHeight) continue;
-    Outline loop;
+    KitOutline loop;
     for (std::uint32_t at = from; !seen[at]; at = after.at(at)) {
       seen[at] = true;
       loop.push_back(points[at].head<2>());
@@ -52,7 +52,7 @@ std::vector<Outline> loopsAt(const std::map<std::uint32_t, std::uint32_t>& after
     }
     loops.push_back(std::move(loop));
   }
-  std::sort(loops.begin(), loops.end(), [](const Outline& a, const Outline& b) {
+  std::sort(loops.begin(), loops.end(), [](const KitOutline& a, const KitOutline& b) {
     return std::abs(doubledArea(a)) > std::abs(doubledArea(b));
   });
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -94,14 +94,14 @@ ToothSurface toothSurface(const Solid& solid, const Isometry3d& toPrint, double 
 }
 
 /// The outline of teeth with thinner and shorter teeth, point by point; a tooth keeps a third of its width.
-Outline thinner(const Outline& teeth, int count, double first, bool isInward, double by) {
+KitOutline thinner(const KitOutline& teeth, int count, double first, bool isInward, double by) {
   double low = 1e300, high = 0;
   for (const Vector2d& p : teeth) {
     low = std::min(low, p.norm());
     high = std::max(high, p.norm());
   }
   const double depth = high - low, shorter = std::min(by, 0.3 * depth), pitch = 2 * pi / count;
-  Outline made;
+  KitOutline made;
   for (const Vector2d& p : teeth) {
     const double r = p.norm();
     const double angle = std::atan2(p.y(), p.x()) - first;
@@ -118,30 +118,30 @@ Outline thinner(const Outline& teeth, int count, double first, bool isInward, do
 
 /// Engravings of one face, outlines counter-clockwise as seen from above in the print frame.
 struct Engraving {
-  std::vector<Outline> outlines;
+  std::vector<KitOutline> outlines;
   std::vector<bool> hasMark;
   bool hasNumber = false;
 };
 
-bool isClear(const std::vector<Outline>& others, const Vector2d& at, double radius) {
-  return std::all_of(others.begin(), others.end(), [&](const Outline& other) {
-    const std::span<const Outline> one(&other, 1);
+bool isClear(const std::vector<KitOutline>& others, const Vector2d& at, double radius) {
+  return std::all_of(others.begin(), others.end(), [&](const KitOutline& other) {
+    const std::span<const KitOutline> one(&other, 1);
     return !isInside(one, at) && distanceTo(one, at) > radius + kMarkMargin;
   });
 }
 
 /// Marks in a row towards the body, within the band from `near` to `far` from the axis.
-bool addMark(std::vector<Outline>& outlines, const std::vector<Outline>& holes, const WheelMark& mark,
+bool addMark(std::vector<KitOutline>& outlines, const std::vector<KitOutline>& holes, const WheelMark& mark,
              double angle, double near, double far, double module) {
   const Vector2d way(std::cos(angle), std::sin(angle));
   const double sense = far < near ? -1 : 1, room = std::abs(far - near);
-  std::vector<Outline> blocked = outlines;
+  std::vector<KitOutline> blocked = outlines;
   blocked.insert(blocked.end(), holes.begin(), holes.end());
   for (double size = std::clamp(0.6 * module, kLeastMark, kGreatestMark); size >= kLeastMark - 1e-9;
        size -= 0.15) {
     const double length = mark.count * size + (mark.count - 1) * kMarkMargin;
     if (length > room) continue;
-    std::vector<Outline> made;
+    std::vector<KitOutline> made;
     for (int i = 0; i < mark.count; ++i) {
       const double radius = near + sense * (size / 2 + i * (size + kMarkMargin));
       const Vector2d at = radius * way;
@@ -156,8 +156,8 @@ bool addMark(std::vector<Outline>& outlines, const std::vector<Outline>& holes, 
   return false;
 }
 
-std::vector<Outline> mirrored(std::vector<Outline> outlines) {
-  for (Outline& outline : outlines) {
+std::vector<KitOutline> mirrored(std::vector<KitOutline> outlines) {
+  for (KitOutline& outline : outlines) {
     for (Vector2d& p : outline) p.x() = -p.x();
     std::reverse(outline.begin(), outline.end());
   }
@@ -165,15 +165,15 @@ std::vector<Outline> mirrored(std::vector<Outline> outlines) {
 }
 
 /// The largest digits for which there is room in a face.
-bool addNumber(std::vector<Outline>& outlines, std::vector<Outline> face, const std::string& number,
+bool addNumber(std::vector<KitOutline>& outlines, std::vector<KitOutline> face, const std::string& number,
                bool isBelow) {
-  for (const Outline& mark : outlines) face.push_back(reversed(mark));
+  for (const KitOutline& mark : outlines) face.push_back(reversed(mark));
   for (const double height : {7.0, 5.5, 4.5, 3.6, 3.0}) {
     Vector2d centre;
     if (!roomFor(face, {digitsWidth(number, height), height}, 0.8, centre)) continue;
-    std::vector<Outline> digits = digitOutlines(number, height);
+    std::vector<KitOutline> digits = digitOutlines(number, height);
     if (isBelow) digits = mirrored(std::move(digits));
-    for (Outline& digit : digits) outlines.push_back(shifted(std::move(digit), centre));
+    for (KitOutline& digit : digits) outlines.push_back(shifted(std::move(digit), centre));
     return true;
   }
   return false;
@@ -231,11 +231,11 @@ Expected<MadeWheel> printedWheel(const WheelRequest& wheel, double tolerance) {
     shell.addTriangle(triangle[0], triangle[1], triangle[2]);
   }
   const double top = height + below;
-  std::vector<Outline> bottom, upper = surface.high;
+  std::vector<KitOutline> bottom, upper = surface.high;
   for (std::size_t i = 0; i < surface.low.size(); ++i) {
-    const Outline& own = surface.low[i];
+    const KitOutline& own = surface.low[i];
     const bool hasTeeth = !isCone && (ring ? i == 1 : i == 0);
-    const Outline narrow = hasTeeth ? thinner(own, spec.teeth, first, ring, lift) : inset(own, lift);
+    const KitOutline narrow = hasTeeth ? thinner(own, spec.teeth, first, ring, lift) : inset(own, lift);
     if (ring && wheel.floor > 0 && i == 1) {  // straight down to the floor
       shell.addWall(std::vector<Rim>{{wheel.floor, own}, {below > 0 ? below : lift, own}});
       continue;
@@ -248,10 +248,10 @@ Expected<MadeWheel> printedWheel(const WheelRequest& wheel, double tolerance) {
   }
   std::vector<std::vector<Rim>> holes = wheel.holes;
   const double boreTop = wheel.floor > 0 ? wheel.floor : top;
-  for (const Outline& bore : wheel.bore) holes.push_back(chamferedWall(reversed(bore), 0, boreTop, lift));
-  std::vector<Outline> floor;
+  for (const KitOutline& bore : wheel.bore) holes.push_back(chamferedWall(reversed(bore), 0, boreTop, lift));
+  std::vector<KitOutline> floor;
   if (ring && wheel.floor > 0) floor.push_back(reversed(surface.low[1]));
-  std::vector<Outline> pierced;
+  std::vector<KitOutline> pierced;
   for (const std::vector<Rim>& hole : holes) {
     shell.addWall(hole);
     bottom.push_back(hole.front().outline);
@@ -262,7 +262,7 @@ Expected<MadeWheel> printedWheel(const WheelRequest& wheel, double tolerance) {
   }
   // Engravings: in a circle within the roots (rings: outside of them).
   const bool isBelow = isCone;
-  const std::vector<Outline>& face = isBelow ? bottom : upper;
+  const std::vector<KitOutline>& face = isBelow ? bottom : upper;
   double inner = 0, outer = 0;
   const double edge = isCone ? 1e300 : nominalRootRadius(spec);
   if (ring) {
@@ -274,7 +274,7 @@ Expected<MadeWheel> printedWheel(const WheelRequest& wheel, double tolerance) {
       for (const Vector2d& p : face.front()) reach = std::min(reach, p.norm());
     }
     outer = reach - kMarkMargin;
-    for (const Outline& bore : wheel.bore) {
+    for (const KitOutline& bore : wheel.bore) {
       for (const Vector2d& p : bore) inner = std::max(inner, p.norm());
     }
     inner += kMarkMargin + lift;
@@ -287,25 +287,25 @@ Expected<MadeWheel> printedWheel(const WheelRequest& wheel, double tolerance) {
                                        isOutward ? outer : inner, spec.module));
   }
   if (!wheel.number.empty()) {
-    std::vector<Outline> region;
+    std::vector<KitOutline> region;
     if (ring) {
       region = {circleOutline({0, 0}, outer + kMarkMargin),
                 reversed(circleOutline({0, 0}, inner - kMarkMargin))};
     } else {
       region = {circleOutline({0, 0}, outer + kMarkMargin)};
     }
-    for (const Outline& hole : pierced) region.push_back(reversed(hole));
+    for (const KitOutline& hole : pierced) region.push_back(reversed(hole));
     engraved.hasNumber = addNumber(engraved.outlines, std::move(region), wheel.number, isBelow);
   }
   constexpr double kDepth = 0.6;
   bool isMade = true;
-  for (const Outline& pocket : engraved.outlines) {
-    const Outline hole = reversed(pocket);
+  for (const KitOutline& pocket : engraved.outlines) {
+    const KitOutline hole = reversed(pocket);
     const double at = isBelow ? 0 : top, end = isBelow ? kDepth : top - kDepth;
     (isBelow ? bottom : upper).push_back(hole);
     shell.addWall(isBelow ? std::vector<Rim>{{at, hole}, {end, hole}}
                           : std::vector<Rim>{{end, hole}, {at, hole}});
-    isMade = shell.addFace(std::vector<Outline>{pocket}, end, !isBelow) && isMade;
+    isMade = shell.addFace(std::vector<KitOutline>{pocket}, end, !isBelow) && isMade;
   }
   isMade = shell.addFace(bottom, 0, false) && isMade;
   isMade = shell.addFace(upper, top, true) && isMade;

@@ -23,7 +23,7 @@ struct WheelMark {
 struct WheelRequest {
   GearSpec spec;                             ///< in mm, with the play of the print
   bool isFlipped = false;                    ///< the face of larger z is on the bed
-  std::vector<Outline> bore;                 ///< at most one, counter-clockwise, in the print frame
+  std::vector<KitOutline> bore;              ///< at most one, counter-clockwise, in the print frame
   std::vector<std::vector<Rim>> holes = {};  ///< clockwise, in mm, in the print frame
   double floor = 0;                          ///< of a ring: its teeth go down to a floor of this thickness
   double below = 0;  ///< and reach as much below the ring's own face, the floor with them

@@ -241,7 +241,7 @@ KitPart shaftPart(KitBuilder& kit, const ShaftSegment& shaft) {
     shape.holes = {chamferedWall(reversed(circleOutline({0, 0}, section.inner)), 0, length, chamfer)};
     solid = plateSolid(shape);
   } else {
-    Outline round = flattedOutline(section.outer, section.flat, 0);
+    KitOutline round = flattedOutline(section.outer, section.flat, 0);
     const double half = std::sqrt(section.outer * section.outer - section.flat * section.flat);
     const double cut = std::min(chamfer, half / 2);
     std::erase_if(round, [&](const Vector2d& p) { return p.x() > section.flat - cut + 1e-9; });
@@ -287,9 +287,9 @@ KitPart collarPart(KitBuilder& kit, const ShaftSegment& shaft, double low, doubl
   const double outer = section.outer + (isClip ? 2.4 : 1.6);
   PlateShape shape;
   shape.outer = chamferedWall(circleOutline({0, 0}, outer), 0, high - low, kit.options.chamfer);
-  const Outline hole = isClip ? flattedOutline(section.outer + kPressFit / 2, section.flat + kPressFit / 2,
-                                               std::atan2(towards.y(), towards.x()))
-                              : circleOutline({0, 0}, section.outer + kit.options.bore / 2);
+  const KitOutline hole = isClip ? flattedOutline(section.outer + kPressFit / 2, section.flat + kPressFit / 2,
+                                                  std::atan2(towards.y(), towards.x()))
+                                 : circleOutline({0, 0}, section.outer + kit.options.bore / 2);
   shape.holes = {chamferedWall(reversed(hole), 0, high - low, kit.options.chamfer)};
   KitPart part;
   part.kind = isClip ? KitPartKind::clip : KitPartKind::spacer;

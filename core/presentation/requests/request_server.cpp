@@ -11,8 +11,8 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/document_format/mechanism_graph.h"
-#include "core/presentation/result_json/diagnostics_json.h"
 #include "core/presentation/requests/document_edits.h"
+#include "core/presentation/result_json/diagnostics_json.h"
 
 namespace geargraph {
 namespace {

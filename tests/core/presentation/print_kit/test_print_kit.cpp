@@ -111,19 +111,19 @@ class TestPrintKit : public QObject {
 };
 
 void TestPrintKit::polygonsWithHolesAreTriangulatedExactly() {
-  const std::vector<Outline> outlines = {circleOutline({0, 0}, 20), reversed(circleOutline({5, 0}, 3)),
-                                         reversed(circleOutline({-8, 4}, 2)),
-                                         reversed(boxOutline({0, -12}, Vector2d(1, 0), 6, 2))};
+  const std::vector<KitOutline> outlines = {circleOutline({0, 0}, 20), reversed(circleOutline({5, 0}, 3)),
+                                            reversed(circleOutline({-8, 4}, 2)),
+                                            reversed(boxOutline({0, -12}, Vector2d(1, 0), 6, 2))};
   std::vector<Vector2d> points;
   double area = 0;
-  for (const Outline& outline : outlines) {
+  for (const KitOutline& outline : outlines) {
     area += doubledArea(outline) / 2;
     points.insert(points.end(), outline.begin(), outline.end());
   }
   double sum = 0;
   const std::vector<Triangle> triangles = triangulated(outlines);
   for (const Triangle& t : triangles) {
-    const Outline one{points[t[0]], points[t[1]], points[t[2]]};
+    const KitOutline one{points[t[0]], points[t[1]], points[t[2]]};
     QVERIFY(doubledArea(one) > 0);
     sum += doubledArea(one) / 2;
   }
