@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "tests/cli/cli_run.h"
 #include "tests/core/support/example_files.h"

@@ -1,6 +1,6 @@
 #include <QDir>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/cli/cli_run.h"
 #include "tests/core/support/example_files.h"

@@ -3,7 +3,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "app/cli/command.h"
 #include "core/presentation/exporters/exporters.h"

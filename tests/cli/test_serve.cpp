@@ -2,7 +2,7 @@
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "core/theory/matroid/exact_solution.h"

@@ -1,6 +1,6 @@
 #include <QFile>
 #include <QSaveFile>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <set>
 #include <vector>

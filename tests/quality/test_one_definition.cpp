@@ -1,6 +1,6 @@
 #include <QDirIterator>
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/support/example_files.h"
 #include "tests/quality/definition_scanner.h"

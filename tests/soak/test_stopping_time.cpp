@@ -1,7 +1,7 @@
 #include <pthread.h>
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <any>
 #include <atomic>

@@ -1,6 +1,6 @@
 #include <QMenu>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/geometry_edits/axis_drag.h"
 #include "core/mechanism/geometry_edits/fitted_edits.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/mechanisms.h"

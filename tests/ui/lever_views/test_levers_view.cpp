@@ -2,8 +2,8 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QTest>
 #include <QToolButton>
-#include <QtTest>
 #include <cmath>
 
 #include "core/theory/states/state_edits.h"

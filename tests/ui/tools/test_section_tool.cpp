@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "tests/ui/tools/pointer_at.h"
 #include "ui/tools/section_tool.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <thread>
 
 #include "core/design/gearboxes/gearbox_json.h"

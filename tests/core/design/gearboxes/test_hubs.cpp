@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/design/gearboxes/hub_document.h"
 #include "core/design/gearboxes/hub_json.h"

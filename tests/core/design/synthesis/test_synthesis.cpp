@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/design/synthesis/bevel_sets.h"
 #include "core/design/synthesis/insertion.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/design/synthesis/insertion.h"
 #include "core/design/synthesis/planetary_set.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/foundations/base/arithmetic.h"
 

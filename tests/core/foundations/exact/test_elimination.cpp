@@ -1,6 +1,6 @@
 #include <flint/fmpq_mat.h>
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "core/foundations/exact/elimination.h"

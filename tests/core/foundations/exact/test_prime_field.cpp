@@ -1,6 +1,6 @@
 #include <flint/ulong_extras.h>
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "core/foundations/exact/fields.h"

@@ -1,5 +1,5 @@
 #include <QByteArray>
-#include <QtTest>
+#include <QTest>
 
 #include "core/foundations/files/base64.h"
 

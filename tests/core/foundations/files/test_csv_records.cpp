@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "core/foundations/files/csv_records.h"

@@ -2,7 +2,7 @@
 // the portable fallback.
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <thread>
 

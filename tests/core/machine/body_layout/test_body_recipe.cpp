@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/machine/body_layout/body_recipe.h"
 

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/machine/solids/solid.h"
 

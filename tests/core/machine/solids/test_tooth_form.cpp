@@ -1,5 +1,5 @@
 #include <Eigen/Core>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "core/machine/solids/spec_diagnostics.h"

@@ -1,5 +1,5 @@
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <cmath>
 #include <numbers>

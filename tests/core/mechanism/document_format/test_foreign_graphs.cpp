@@ -1,7 +1,7 @@
 // Graphs of other programs and of other people: what is read, what was assumed, and what is rejected with its
 // place; texts that are made to hurt.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/document_format/mechanism_graph.h"
 #include "core/mechanism/document_format/mechanism_table.h"

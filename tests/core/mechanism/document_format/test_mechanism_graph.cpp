@@ -2,8 +2,8 @@
 
 #include <cgraph.h>
 
+#include <QTest>
 #include <QXmlStreamReader>
-#include <QtTest>
 
 #include "core/foundations/files/json.h"
 #include "core/mechanism/document_format/mechanism_graph.h"

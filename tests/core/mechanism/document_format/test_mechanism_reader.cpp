@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/model/validate.h"
 #include "tests/core/mechanism/document_format/broken_documents.h"

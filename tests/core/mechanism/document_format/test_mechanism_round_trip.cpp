@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/document_format/file_version.h"
 #include "core/mechanism/model/edits.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/document_format/mechanism_table.h"
 #include "core/mechanism/document_format/table_text.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/foundations/base/nearest_name.h"
 #include "core/mechanism/model/unknown_members.h"

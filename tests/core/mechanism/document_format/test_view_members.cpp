@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/difference.h"

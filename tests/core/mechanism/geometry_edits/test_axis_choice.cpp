@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/geometry_edits/axis_choice.h"
 #include "core/mechanism/geometry_edits/fitted_edits.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "core/design/synthesis/bevel_sets.h"

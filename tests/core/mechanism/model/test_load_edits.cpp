@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"

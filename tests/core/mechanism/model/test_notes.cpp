@@ -1,6 +1,6 @@
 #include "core/mechanism/model/notes.h"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 
 #include "core/mechanism/model/edits.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/placement/placement.h"
 #include "core/mechanism/placement/tolerance.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/placement/placement.h"
 #include "tests/core/support/train_sketch.h"

@@ -1,6 +1,6 @@
 #include <QImage>
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 #include "core/presentation/cairo_output/picture.h"
 #include "core/presentation/drawing/digraph_drawing.h"

@@ -1,5 +1,5 @@
+#include <QTest>
 #include <QXmlStreamReader>
-#include <QtTest>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -1,6 +1,6 @@
 #include "core/presentation/drawing/note_marks.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/hit_test.h"

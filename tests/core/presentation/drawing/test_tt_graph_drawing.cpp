@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/model/edits.h"
 #include "core/presentation/drawing/hit_test.h"

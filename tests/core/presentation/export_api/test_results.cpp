@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "core/presentation/export_api/graph_files.h"

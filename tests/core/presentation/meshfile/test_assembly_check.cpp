@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/meshfile/assembly.h"

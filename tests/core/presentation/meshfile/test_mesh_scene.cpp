@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "tests/core/presentation/meshfile/cogs.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "core/machine/body_layout/complete_train.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "core/presentation/meshfile/turn_keys.h"

@@ -1,5 +1,5 @@
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "core/foundations/base/locale.h"

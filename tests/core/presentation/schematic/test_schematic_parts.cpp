@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/machine/body_layout/derived_geometry.h"
 #include "core/presentation/schematic/arm_router.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/model/validate.h"
 #include "core/presentation/schematic/schematic.h"

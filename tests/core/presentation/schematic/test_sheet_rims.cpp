@@ -1,6 +1,6 @@
 #include "core/presentation/schematic/sheet_rims.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/presentation/schematic/schematic.h"
 #include "tests/core/support/example_files.h"

@@ -2,7 +2,7 @@
 // unknowns, and the torques are those that lose no power.
 
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 #include "core/presentation/simulators/modelica.h"
 #include "core/theory/matroid/exact_solution.h"

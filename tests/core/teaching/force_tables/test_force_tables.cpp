@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/teaching/force_tables/cutset_words.h"
 #include "core/teaching/force_tables/dual_equations.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/foundations/files/file.h"
 #include "core/teaching/lessons/bundled_files.h"

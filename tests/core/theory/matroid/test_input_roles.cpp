@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/theory/matroid/input_roles.h"
 #include "tests/core/support/matroid_fixture.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 #include "core/teaching/coupling_check/coupling_check.h"

@@ -1,6 +1,6 @@
 #include <flint/fmpq_mat.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/symbolic_solution.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "tests/core/support/matroid_fixture.h"

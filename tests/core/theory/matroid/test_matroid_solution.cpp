@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/symbolic_solution.h"

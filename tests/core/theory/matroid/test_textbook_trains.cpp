@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/theory/matroid/exact_solution.h"
 #include "tests/core/support/matroid_fixture.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "core/theory/statics/statics_report.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/theory/statics/statics_report.h"
 #include "tests/core/support/example_files.h"

@@ -1,4 +1,4 @@
-#include <QtTest>
+#include <QTest>
 
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/statics/load_diagnostics.h"
