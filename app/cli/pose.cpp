@@ -250,7 +250,7 @@ const Command kPose = {
     false,
     true,
     nullptr,
-    ServedInput::document,
+    MethodInput::document,
     {},
     true};
 
