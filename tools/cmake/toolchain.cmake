@@ -10,6 +10,7 @@ else()
   set(portable ON)
 endif()
 option(GEARGRAPH_PORTABLE "Make do with the standard library where there are calls of Linux (core/foundations/platform)" ${portable})
+option(GEARGRAPH_GRAPHVIZ "Lay digraphs out by Graphviz; without it by the tree of the turning joints" ON)
 option(GEARGRAPH_STEP "Build geargraph-step, where OpenCASCADE is" ON)
 set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,undefined or thread)")
 # Sanitizers bring an allocator of their own.

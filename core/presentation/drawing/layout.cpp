@@ -1,20 +1,18 @@
 #include "core/presentation/drawing/layout.h"
 
-#include <graphviz/gvc.h>
-
 #include <cstdint>
-#include <mutex>
 
 #include "core/mechanism/graph/digraph.h"
+#include "core/presentation/drawing/layered_places.h"
 #include "core/presentation/drawing/tidy_tree.h"
 
 namespace geargraph {
 namespace {
 
-constexpr double kColumn = 170;       ///< between a link and the one it carries
-constexpr double kRow = 110;          ///< between neighbours of a column
-constexpr int kMaxForGraphviz = 300;  ///< nodes; its time grows with their square, and it cannot be stopped
-constexpr int kMaxMeshLength = 6;     ///< columns, of those that Graphviz is told of
+constexpr double kColumn = 170;    ///< between a link and the one it carries
+constexpr double kRow = 110;       ///< between neighbours of a column
+constexpr int kMaxLayered = 300;   ///< nodes; the time grows with their square, and it cannot be stopped
+constexpr int kMaxMeshLength = 6;  ///< columns, of those that the layered layout is told of
 constexpr double kGrid = 10;
 constexpr double kNodesApart = 75;  ///< centres, at least
 constexpr double kClosest = 80;     ///< columns and rows, of drawings that fill the sheet
@@ -66,76 +64,6 @@ std::vector<Reached> breadthFirst(const std::vector<std::vector<int>>& lists, co
   return order;
 }
 
-/// Graphviz' functions take `char*` and do not write to it.
-char* text(const char* constant) {
-  return const_cast<char*>(constant);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-}
-
-/// Graphviz keeps state of its own for the whole process: one call at a time. Numbers are handed over as
-/// whole numbers only, because it reads decimals by the locale of the process.
-class Graphviz {
- public:
-  Graphviz() : m_lock(mutex()), m_graph(agopen(text("digraph"), Agdirected, nullptr)) {
-    static_cast<void>(agseterr(AGMAX));  // a failure is answered, not printed
-    set(AGRAPH, "rankdir", "LR");
-    set(AGRAPH, "splines", "none");
-    set(AGRAPH, "nodesep", "1");
-    set(AGRAPH, "ranksep", "1");
-    set(AGNODE, "shape", "circle");
-    set(AGNODE, "label", "");
-    set(AGNODE, "width", "1");
-    set(AGNODE, "height", "1");
-    m_constraint = set(AGEDGE, "constraint", "true");
-    m_weight = set(AGEDGE, "weight", "1");
-  }
-  Graphviz(const Graphviz&) = delete;
-  Graphviz& operator=(const Graphviz&) = delete;
-  ~Graphviz() {
-    if (m_laidOut) gvFreeLayout(context(), m_graph);
-    agclose(m_graph);
-  }
-
-  void addNode() {
-    const std::string name = "n" + std::to_string(m_nodes.size());
-    m_nodes.push_back(agnode(m_graph, text(name.c_str()), 1));
-  }
-  void addEdge(int tail, int head, bool isMesh) {
-    Agedge_t* edge = agedge(m_graph, m_nodes[static_cast<std::size_t>(tail)],
-                            m_nodes[static_cast<std::size_t>(head)], nullptr, 1);
-    agxset(edge, m_constraint, text(isMesh ? "false" : "true"));
-    agxset(edge, m_weight, text(isMesh ? "1" : "4"));
-  }
-  bool layout() {
-    m_laidOut = gvLayout(context(), m_graph, "dot") == 0;
-    return m_laidOut;
-  }
-  /// In inches between neighbouring columns and rows, both 2 with the settings above; y up.
-  [[nodiscard]] CanvasPoint place(int node) const {
-    const pointf at = ND_coord(m_nodes[static_cast<std::size_t>(node)]);
-    return {at.x / 72, at.y / 72};
-  }
-
- private:
-  Agsym_t* set(int kind, const char* name, const char* value) {
-    return agattr(m_graph, kind, text(name), text(value));
-  }
-  static std::mutex& mutex() {
-    static std::mutex instance;
-    return instance;
-  }
-  static GVC_t* context() {
-    static GVC_t* const instance = gvContext();  // loading the plugins once
-    return instance;
-  }
-
-  std::lock_guard<std::mutex> m_lock;
-  Agraph_t* m_graph;
-  Agsym_t* m_constraint = nullptr;
-  Agsym_t* m_weight = nullptr;
-  std::vector<Agnode_t*> m_nodes;
-  bool m_laidOut = false;
-};
-
 /// How far each link is from the ground over turning joints, and when a walk from there reaches it.
 struct Order {
   std::vector<int> depth;
@@ -179,10 +107,11 @@ Places asTree(const Digraph& graph) {
   return places;
 }
 
-/// Hands the edges over. Joints may be drawn either way; the layout puts what is nearer to the ground on the
-/// left. Meshes over many columns would cost it minutes, and it could do nothing for them.
-void addEdges(Graphviz& graphviz, const Digraph& graph) {
+/// Joints may be drawn either way; the layout puts what is nearer to the ground on the left. Meshes over many
+/// columns would cost it minutes, and it could do nothing for them.
+std::vector<LayeredEdge> layeredEdges(const Digraph& graph) {
   const Order order = orderOf(graph);
+  std::vector<LayeredEdge> edges;
   for (int e = 0; e < graph.edgeCount(); ++e) {
     DigraphEdge edge = graph.edge(e);
     const auto tail = static_cast<std::size_t>(edge.tail);
@@ -190,23 +119,20 @@ void addEdges(Graphviz& graphviz, const Digraph& graph) {
     const bool isMesh = e >= graph.t();
     if (isMesh && std::abs(order.depth[tail] - order.depth[head]) > kMaxMeshLength) continue;
     if (order.rank[tail] > order.rank[head]) std::swap(edge.tail, edge.head);
-    graphviz.addEdge(edge.tail, edge.head, isMesh);
+    edges.push_back({edge.tail, edge.head, isMesh});
   }
+  return edges;
 }
 
 /// Places by ordinal; the ground stands at (0, 0).
 Places placesOf(const Digraph& graph) {
-  if (graph.nodeCount() > kMaxForGraphviz) return asTree(graph);
-  Graphviz graphviz;
-  for (int v = 0; v < graph.nodeCount(); ++v) graphviz.addNode();
-  addEdges(graphviz, graph);
-  if (!graphviz.layout()) return asTree(graph);
+  if (graph.nodeCount() > kMaxLayered) return asTree(graph);
+  const auto layered = layeredPlaces(graph.nodeCount(), layeredEdges(graph));
+  if (!layered) return asTree(graph);
+  const CanvasPoint ground = layered->front();
   Places places;
-  const CanvasPoint ground = graphviz.place(0);
-  for (int v = 0; v < graph.nodeCount(); ++v) {
-    const CanvasPoint at = graphviz.place(v);
+  for (const CanvasPoint at : *layered)
     places.push_back(onGrid({(at.x - ground.x) * kColumn / 2, (ground.y - at.y) * kRow / 2}));
-  }
   return places;
 }
 
