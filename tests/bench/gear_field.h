@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/scene.h"
 
 namespace geargraph::bench {
 

@@ -4,7 +4,7 @@
 #include <QOpenGLWidget>
 #include <memory>
 
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/renderer.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"

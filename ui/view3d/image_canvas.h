@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/presentation/scene3d/picture_thread.h"
+#include "core/presentation/mechanism_scene/picture_thread.h"
 #include "ui/service/background_work.h"
 #include "ui/view3d/draft_level.h"
 #include "ui/view3d/label_layer.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/presentation/gl_renderer/image.h"
+#include "core/presentation/scene/image.h"
 #include "core/presentation/scene3d/scene_forces.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/view_options.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <set>
 
-#include "core/presentation/gl_renderer/image.h"
+#include "core/presentation/scene/image.h"
 #include "core/presentation/scene3d/label_anchors.h"
 #include "core/presentation/scene3d/scene_view.h"
 #include "ui/view3d/overlay.h"

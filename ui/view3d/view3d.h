@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/presentation/gl_renderer/camera.h"
+#include "core/presentation/scene/camera.h"
 #include "core/presentation/scene3d/scene_forces.h"
 #include "core/presentation/scene3d/stage.h"
 #include "ui/document/selection.h"

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "core/presentation/gl_renderer/camera.h"
+#include "core/presentation/scene/camera.h"
 
 class QMenu;
 class QToolButton;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene/render_style.h"
 #include "core/presentation/scene3d/scene_view.h"
 
 namespace geargraph {

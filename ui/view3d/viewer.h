@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/renderer.h"
 #include "core/presentation/scene3d/scene_view.h"
 #include "core/presentation/scene3d/stage.h"
 #include "ui/document/selection.h"

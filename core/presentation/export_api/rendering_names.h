@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "core/presentation/gl_renderer/camera.h"
-#include "core/presentation/gl_renderer/render_style.h"
 #include "core/presentation/mechanism_scene/scene_labels.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/render_style.h"
 #include "core/presentation/scene3d/scene_lines.h"
 
 namespace geargraph {

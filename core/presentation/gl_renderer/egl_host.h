@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/foundations/base/expected.h"
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/renderer.h"
 
 namespace geargraph {
 

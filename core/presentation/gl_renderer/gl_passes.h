@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/presentation/gl_renderer/camera.h"
 #include "core/presentation/gl_renderer/gl_objects.h"
-#include "core/presentation/gl_renderer/image.h"
-#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/image.h"
+#include "core/presentation/scene/render_style.h"
 
 namespace geargraph {
 

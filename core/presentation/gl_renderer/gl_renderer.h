@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/foundations/base/expected.h"
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/renderer.h"
 
 namespace geargraph {
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/presentation/gl_renderer/frustum.h"
 #include "core/presentation/gl_renderer/gl_objects.h"
 #include "core/presentation/gl_renderer/gl_passes.h"
 #include "core/presentation/gl_renderer/gl_renderer.h"
 #include "core/presentation/gl_renderer/gl_solid_store.h"
-#include "core/presentation/gl_renderer/renderer.h"
 #include "core/presentation/gl_renderer/static_parts.h"
+#include "core/presentation/scene/frustum.h"
+#include "core/presentation/scene/renderer.h"
 
 namespace geargraph {
 

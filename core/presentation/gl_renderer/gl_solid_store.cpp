@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/presentation/gl_renderer/feature_edges.h"
+#include "core/presentation/scene/feature_edges.h"
 
 namespace geargraph {
 

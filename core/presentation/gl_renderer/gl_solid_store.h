@@ -3,9 +3,9 @@
 #include <map>
 #include <memory>
 
-#include "core/presentation/gl_renderer/frustum.h"
 #include "core/presentation/gl_renderer/gl_passes.h"
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/frustum.h"
+#include "core/presentation/scene/scene.h"
 
 namespace geargraph {
 

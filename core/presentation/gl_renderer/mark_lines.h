@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "core/presentation/gl_renderer/camera.h"
 #include "core/presentation/gl_renderer/gl_objects.h"
-#include "core/presentation/gl_renderer/mark_line.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/mark_line.h"
 
 namespace geargraph {
 

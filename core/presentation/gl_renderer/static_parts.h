@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/presentation/gl_renderer/camera.h"
-#include "core/presentation/gl_renderer/render_style.h"
-#include "core/presentation/gl_renderer/renderer.h"
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/render_style.h"
+#include "core/presentation/scene/renderer.h"
+#include "core/presentation/scene/scene.h"
 
 namespace geargraph {
 

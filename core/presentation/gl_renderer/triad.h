@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/presentation/gl_renderer/camera.h"
 #include "core/presentation/gl_renderer/gl_objects.h"
-#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/render_style.h"
 
 namespace geargraph {
 

@@ -5,8 +5,8 @@
 
 #include "core/machine/solids/gear_solid.h"
 #include "core/mechanism/placement/placement.h"
-#include "core/presentation/gl_renderer/solid_properties.h"
 #include "core/presentation/mechanism_scene/shape_cache.h"
+#include "core/presentation/scene/solid_properties.h"
 #include "core/presentation/scene3d/stage.h"
 #include "core/theory/analysis/analysis.h"
 

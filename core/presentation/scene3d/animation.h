@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <string>
 
-#include "core/presentation/gl_renderer/image.h"
+#include "core/presentation/scene/image.h"
 #include "core/presentation/scene3d/scene_view.h"
 
 namespace geargraph {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/presentation/gl_renderer/camera.h"
-#include "core/presentation/gl_renderer/renderer.h"
-#include "core/presentation/gl_renderer/seen_map.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/renderer.h"
+#include "core/presentation/scene/seen_map.h"
 #include "core/presentation/scene3d/stage.h"
 
 namespace geargraph {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/renderer.h"
 #include "core/presentation/scene3d/stage.h"
 
 namespace geargraph {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/presentation/gl_renderer/mark_line.h"
-#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene/mark_line.h"
+#include "core/presentation/scene/render_style.h"
 #include "core/presentation/scene3d/label_anchors.h"
 #include "core/presentation/scene3d/stage.h"
 

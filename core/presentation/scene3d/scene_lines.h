@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/presentation/gl_renderer/mark_line.h"
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/mark_line.h"
+#include "core/presentation/scene/renderer.h"
 #include "core/presentation/scene3d/stage.h"
 
 namespace geargraph {

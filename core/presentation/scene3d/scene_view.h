@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/presentation/gl_renderer/renderer.h"
+#include "core/presentation/scene/renderer.h"
 #include "core/presentation/scene3d/input_trajectory.h"
 #include "core/presentation/scene3d/scene_forces.h"
 #include "core/presentation/scene3d/scene_lines.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/scene.h"
 
 namespace geargraph {
 

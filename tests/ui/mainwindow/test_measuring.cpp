@@ -6,7 +6,7 @@
 #include "core/mechanism/geometry_edits/axis_drag.h"
 #include "core/mechanism/geometry_edits/fitted_edits.h"
 #include "core/presentation/drawing/palette.h"
-#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene/render_style.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/schematic_view.h"

@@ -1,10 +1,10 @@
 #include <QTest>
 #include <numbers>
 
-#include "core/presentation/gl_renderer/feature_edges.h"
-#include "core/presentation/gl_renderer/image.h"
 #include "core/presentation/gl_renderer/primitives.h"
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/feature_edges.h"
+#include "core/presentation/scene/image.h"
+#include "core/presentation/scene/scene.h"
 
 using namespace geargraph;
 

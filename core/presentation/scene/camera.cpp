@@ -1,4 +1,4 @@
-#include "core/presentation/gl_renderer/camera.h"
+#include "core/presentation/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>

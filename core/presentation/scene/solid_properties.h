@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/presentation/gl_renderer/feature_edges.h"
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/feature_edges.h"
+#include "core/presentation/scene/scene.h"
 
 namespace geargraph {
 

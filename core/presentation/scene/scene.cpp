@@ -1,4 +1,4 @@
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/scene.h"
 
 #include <algorithm>
 #include <array>

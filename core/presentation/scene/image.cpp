@@ -1,4 +1,4 @@
-#include "core/presentation/gl_renderer/image.h"
+#include "core/presentation/scene/image.h"
 
 #include <png.h>
 

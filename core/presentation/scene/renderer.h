@@ -6,12 +6,12 @@
 #include <stop_token>
 #include <string>
 
-#include "core/presentation/gl_renderer/camera.h"
-#include "core/presentation/gl_renderer/image.h"
-#include "core/presentation/gl_renderer/mark_line.h"
-#include "core/presentation/gl_renderer/render_style.h"
-#include "core/presentation/gl_renderer/scene.h"
-#include "core/presentation/gl_renderer/seen_map.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/image.h"
+#include "core/presentation/scene/mark_line.h"
+#include "core/presentation/scene/render_style.h"
+#include "core/presentation/scene/scene.h"
+#include "core/presentation/scene/seen_map.h"
 
 namespace geargraph {
 

@@ -1,4 +1,4 @@
-#include "core/presentation/scene3d/picture_thread.h"
+#include "core/presentation/mechanism_scene/picture_thread.h"
 
 #include <algorithm>
 #include <chrono>

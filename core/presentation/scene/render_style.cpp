@@ -1,4 +1,4 @@
-#include "core/presentation/gl_renderer/render_style.h"
+#include "core/presentation/scene/render_style.h"
 
 namespace geargraph {
 

@@ -1,4 +1,4 @@
-#include "core/presentation/gl_renderer/solid_properties.h"
+#include "core/presentation/scene/solid_properties.h"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/presentation/gl_renderer/scene.h"
+#include "core/presentation/scene/scene.h"
 
 namespace geargraph {
 

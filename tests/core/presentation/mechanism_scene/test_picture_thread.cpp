@@ -2,7 +2,7 @@
 #include <future>
 #include <mutex>
 
-#include "core/presentation/scene3d/picture_thread.h"
+#include "core/presentation/mechanism_scene/picture_thread.h"
 #include "tests/ui/view3d/toy_stage.h"
 
 namespace geargraph {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/presentation/gl_renderer/camera.h"
-#include "core/presentation/gl_renderer/frustum.h"
+#include "core/presentation/scene/camera.h"
+#include "core/presentation/scene/frustum.h"
 
 using namespace geargraph;
 

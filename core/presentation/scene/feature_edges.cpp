@@ -1,4 +1,4 @@
-#include "core/presentation/gl_renderer/feature_edges.h"
+#include "core/presentation/scene/feature_edges.h"
 
 #include <array>
 #include <bit>

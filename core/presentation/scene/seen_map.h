@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-#include "core/presentation/gl_renderer/camera.h"
+#include "core/presentation/scene/camera.h"
 
 namespace geargraph {
 
