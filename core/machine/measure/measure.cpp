@@ -112,8 +112,11 @@ Measurement betweenPoints(const Spot& a, const Spot& b) {
       a.exactPoint && b.exactPoint ? std::optional(squareFrom(*a.exactPoint, *b.exactPoint)) : std::nullopt;
   result.values = {lengthOf(Measure::distance, length(way), square)};
   if (!a.line || !b.line || !areParallel(a.direction, b.direction)) return result;
+  // Between wheels in different planes it is the centre distance that people ask for.
+  const bool areWheels = a.kind == Spot::Kind::wheelCentre && b.kind == Spot::Kind::wheelCentre;
   const MeasuredValue centres = betweenAxes(a, b).values.front();
-  if (centres.value > 0) result.values.push_back(centres);
+  if (centres.value > 0)
+    result.values.insert(areWheels ? result.values.begin() : result.values.end(), centres);
   result.values.push_back({.measure = Measure::along, .value = std::abs(dot(way, a.direction))});
   return result;
 }

@@ -54,7 +54,8 @@ struct Measurement {
 ///
 /// Parallel axes: their centre distance. Axes that intersect: the angle. Skew axes: the shortest distance and
 /// the angle. A pitch point and the axis of one of its wheels: pitch radius and diameter. Points: their
-/// distance, and if they lie on parallel axes the centre distance and the distance along them.
+/// distance, and if they lie on parallel axes the centre distance, which comes first between wheels, and the
+/// distance along them.
 ///
 /// Whether lines are parallel is decided by placement/tolerance.h; they intersect if their distance is 0, or
 /// at most kSameLine of that of their points, as rounded decimals leave it.

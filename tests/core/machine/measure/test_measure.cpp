@@ -5,6 +5,7 @@
 #include "core/foundations/base/locale.h"
 #include "core/machine/measure/measure.h"
 #include "core/mechanism/model/edits.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/pseudo_language.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -110,6 +111,27 @@ class MeasureTest : public QObject {
     const Measurement outer = measured(*spots.of(MeshId("10")));
     QVERIFY(outer.values[0].fraction() == module * Rational(60) ||
             outer.values[1].fraction() == module * Rational(60));
+  }
+
+  void centreDistanceComesFirstBetweenWheelsInDifferentPlanes() {
+    const Mechanism train = example("reverted-train");
+    const MeasureSpots spots = spotsIn(train);
+    int apart = 0;
+    for (const Link& a : train.links) {
+      for (const Link& b : train.links) {
+        const Spot* const from = spots.of(a.id);
+        const Spot* const to = spots.of(b.id);
+        if (from == nullptr || to == nullptr || from->kind != Spot::Kind::wheelCentre ||
+            to->kind != Spot::Kind::wheelCentre)
+          continue;
+        const auto values = measured(*from, *to).values;
+        if (values.size() != 3 || values[2].value == 0) continue;
+        QVERIFY(values[0].measure == Measure::centreDistance);
+        QVERIFY(values[1].measure == Measure::distance && values[1].value > values[0].value);
+        ++apart;
+      }
+    }
+    QVERIFY(apart > 0);
   }
 
   void irrationalDistancesAreRoots() {
