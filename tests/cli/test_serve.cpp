@@ -327,7 +327,7 @@ class ServeTest : public QObject {
     row("addAxis", R"({"edit": "addAxis", "point": [0, 0, 1], "direction": [1, 0, 0], "pinned": true})");
     row("addAxis of a point", R"({"edit": "addAxis", "point": 7})", "schema");
     row("addGearMesh of a kind",
-        R"({"edit": "addGearMesh", "tail": "1", "head": "2", "tailTeeth": 9, "headTeeth": 18, "kind": "hypoid"})",
+        R"({"edit": "addGearMesh", "tail": "1", "head": "2", "tailTeeth": 9, "headTeeth": 18, "kind": "friction"})",
         "schema");
     row("addWheel", R"({"edit": "addWheel", "id": "7'", "link": "7", "bore": 8})");
     row("addWheel on none", R"({"edit": "addWheel", "link": "99"})", "unknown-id");

@@ -152,8 +152,7 @@ std::vector<ExampleGroup> exampleGroups() {
        pathsOf({"mantel-clock", "one-hand-clock", "antikythera"})},
       {QCoreApplication::translate("DocumentFiles", "Gearboxes"),
        pathsOf({"simpson", "ravigneaux", "eight-speed-gearbox", "prius-power-split", "three-speed-hub",
-                "hoist-reducer", "worm-hoist", "guided-vehicle", "strain-wave", "cycloidal-drive",
-                "rv-reducer"})},
+                "hoist-reducer", "worm-hoist", "guided-vehicle", "strain-wave", "cycloidal-drive"})},
       {QCoreApplication::translate("DocumentFiles", "Not as they should be"),
        pathsOf({"redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"})}};
   for (const QString& name : examples.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {

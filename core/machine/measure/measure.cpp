@@ -23,11 +23,11 @@ bool isZero(const ExactVector3& v) {
 }
 
 /// The root of a square that is known in fractions: its double is the nearest whatever cancels.
-MeasuredValue lengthOf(Measure measure, const Rational& square) {
+MeasuredValue lengthOf(MeasuredKind measure, const Rational& square) {
   return {.measure = measure, .value = std::sqrt(square.toDouble()), .square = square};
 }
 
-MeasuredValue lengthOf(Measure measure, double value, const std::optional<Rational>& square = {}) {
+MeasuredValue lengthOf(MeasuredKind measure, double value, const std::optional<Rational>& square = {}) {
   return square ? lengthOf(measure, *square) : MeasuredValue{.measure = measure, .value = value};
 }
 
@@ -36,7 +36,7 @@ MeasuredValue angleBetween(const ExactVector3& a, const ExactVector3& b) {
   const Rational cosine = along * along / (dot(a, a) * dot(b, b));  // squared
   const Vector3 u = unitDirection(a), v = unitDirection(b);
   constexpr double kDegrees = 180 / std::numbers::pi;
-  MeasuredValue angle{.measure = Measure::angle,
+  MeasuredValue angle{.measure = MeasuredKind::angle,
                       .value = kDegrees * std::atan2(length(cross(u, v)), std::abs(dot(u, v)))};
   constexpr std::array<int, 5> kExact{90, 60, 45, 30, 0};
   for (std::size_t quarters = 0; quarters < kExact.size(); ++quarters) {
@@ -70,13 +70,13 @@ Measurement betweenAxes(const Spot& a, const Spot& b) {
     result.to = footOn(b.point, b.direction, a.point);
     const double distance = length(cross(toDoubles(between), a.direction));
     result.values = {
-        lengthOf(Measure::centreDistance, distance,
+        lengthOf(MeasuredKind::centreDistance, distance,
                  isZero(normal) ? std::optional(squareFromLine(b.line->point, *a.line)) : std::nullopt)};
     return result;
   }
   std::tie(result.from, result.to) = nearestPoints(a, b);
   const Rational triple = dot(between, normal);
-  const MeasuredValue distance = lengthOf(Measure::distance, triple * triple / dot(normal, normal));
+  const MeasuredValue distance = lengthOf(MeasuredKind::distance, triple * triple / dot(normal, normal));
   const MeasuredValue angle = angleBetween(a.line->direction, b.line->direction);
   const bool meet = distance.value <= kSameLine * length(toDoubles(between));
   result.values = meet ? std::vector{angle} : std::vector{distance, angle};
@@ -90,8 +90,8 @@ Measurement betweenPointAndAxis(const Spot& point, const Spot& axis) {
     const ExactLine& own = point.meshLines[i];
     if (own.point != axis.line->point || own.direction != axis.line->direction) continue;
     const auto quarter = wheel.pitchSquare ? std::optional(*wheel.pitchSquare / Rational(4)) : std::nullopt;
-    result.values = {lengthOf(Measure::pitchRadius, *wheel.pitchDiameter / 2, quarter),
-                     lengthOf(Measure::pitchDiameter, *wheel.pitchDiameter, wheel.pitchSquare)};
+    result.values = {lengthOf(MeasuredKind::pitchRadius, *wheel.pitchDiameter / 2, quarter),
+                     lengthOf(MeasuredKind::pitchDiameter, *wheel.pitchDiameter, wheel.pitchSquare)};
     return result;
   }
   // A wheel's point is on its axis: from there the distance is that of the axes, wherever it lies along it.
@@ -101,7 +101,7 @@ Measurement betweenPointAndAxis(const Spot& point, const Spot& axis) {
   }
   const auto square =
       point.exactPoint ? std::optional(squareFromLine(*point.exactPoint, *axis.line)) : std::nullopt;
-  result.values = {lengthOf(Measure::distance, length(result.to - result.from), square)};
+  result.values = {lengthOf(MeasuredKind::distance, length(result.to - result.from), square)};
   return result;
 }
 
@@ -110,14 +110,14 @@ Measurement betweenPoints(const Spot& a, const Spot& b) {
   const Vector3 way = b.point - a.point;
   const auto square =
       a.exactPoint && b.exactPoint ? std::optional(squareFrom(*a.exactPoint, *b.exactPoint)) : std::nullopt;
-  result.values = {lengthOf(Measure::distance, length(way), square)};
+  result.values = {lengthOf(MeasuredKind::distance, length(way), square)};
   if (!a.line || !b.line || !areParallel(a.direction, b.direction)) return result;
   // Between wheels in different planes it is the centre distance that people ask for.
   const bool areWheels = a.kind == Spot::Kind::wheelCentre && b.kind == Spot::Kind::wheelCentre;
   const MeasuredValue centres = betweenAxes(a, b).values.front();
   if (centres.value > 0)
     result.values.insert(areWheels ? result.values.begin() : result.values.end(), centres);
-  result.values.push_back({.measure = Measure::along, .value = std::abs(dot(way, a.direction))});
+  result.values.push_back({.measure = MeasuredKind::along, .value = std::abs(dot(way, a.direction))});
   return result;
 }
 
@@ -139,17 +139,17 @@ Measurement measured(const Spot& spot) {
   if (spot.meshWheels.size() == 2) {
     for (const std::size_t i : {0U, 1U}) {
       const MeasuredWheel& wheel = spot.meshWheels[i];
-      result.values.push_back(lengthOf(Measure::pitchDiameter, *wheel.pitchDiameter, wheel.pitchSquare));
+      result.values.push_back(lengthOf(MeasuredKind::pitchDiameter, *wheel.pitchDiameter, wheel.pitchSquare));
       result.values.back().link = wheel.link;
     }
   }
   if (!spot.wheel) return result;
   if (spot.wheel->pitchDiameter)
     result.values.push_back(
-        lengthOf(Measure::pitchDiameter, *spot.wheel->pitchDiameter, spot.wheel->pitchSquare));
-  result.values.push_back(lengthOf(Measure::tipDiameter, spot.wheel->tipDiameter));
-  result.values.push_back(lengthOf(Measure::rootDiameter, spot.wheel->rootDiameter));
-  result.values.push_back(lengthOf(Measure::faceWidth, spot.wheel->faceWidth));
+        lengthOf(MeasuredKind::pitchDiameter, *spot.wheel->pitchDiameter, spot.wheel->pitchSquare));
+  result.values.push_back(lengthOf(MeasuredKind::tipDiameter, spot.wheel->tipDiameter));
+  result.values.push_back(lengthOf(MeasuredKind::rootDiameter, spot.wheel->rootDiameter));
+  result.values.push_back(lengthOf(MeasuredKind::faceWidth, spot.wheel->faceWidth));
   return result;
 }
 
@@ -165,23 +165,23 @@ Measurement measured(const Spot& from, const Spot& to) {
 std::string nameOf(const MeasuredValue& value) {
   if (value.link) return translated("pitch diameter of gear %1", {std::to_string(int{*value.link})});
   switch (value.measure) {
-    case Measure::distance:
+    case MeasuredKind::distance:
       return translated("distance");
-    case Measure::centreDistance:
+    case MeasuredKind::centreDistance:
       return translated("centre distance");
-    case Measure::pitchRadius:
+    case MeasuredKind::pitchRadius:
       return translated("pitch radius");
-    case Measure::angle:
+    case MeasuredKind::angle:
       return translated("angle");
-    case Measure::along:
+    case MeasuredKind::along:
       return translated("along the axes");
-    case Measure::pitchDiameter:
+    case MeasuredKind::pitchDiameter:
       return translated("pitch diameter");
-    case Measure::tipDiameter:
+    case MeasuredKind::tipDiameter:
       return translated("tip diameter");
-    case Measure::rootDiameter:
+    case MeasuredKind::rootDiameter:
       return translated("root diameter");
-    case Measure::faceWidth:
+    case MeasuredKind::faceWidth:
       return translated("face width");
   }
   return {};
@@ -190,7 +190,7 @@ std::string nameOf(const MeasuredValue& value) {
 std::string textOf(const MeasuredValue& value, const std::string& unit) {
   constexpr std::size_t kLongest = 16;  // longer fractions say nothing to people
   const std::string digits = sixDigits(value.value);
-  if (value.measure == Measure::angle)
+  if (value.measure == MeasuredKind::angle)
     return (value.degrees ? std::to_string(*value.degrees) : localizedNumber(digits)) + "°";
   const std::string number = localizedNumber(digits) + ' ' + unit;
   if (!value.square) return number;

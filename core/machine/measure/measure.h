@@ -9,7 +9,7 @@
 namespace geargraph {
 
 /// What a measured number is.
-enum class Measure {
+enum class MeasuredKind {
   distance,        ///< between two points, a point and a line, or two skew lines
   centreDistance,  ///< of parallel axes
   pitchRadius,     ///< from a pitch point to the axis of one of its wheels
@@ -23,7 +23,7 @@ enum class Measure {
 
 /// A measured number in the document's unit of length; an angle in degrees.
 struct MeasuredValue {
-  Measure measure = Measure::distance;
+  MeasuredKind measure = MeasuredKind::distance;
   double value = 0;
   /// The square of a length that is known in fractions: the length is its root.
   std::optional<Rational> square = {};

@@ -290,6 +290,7 @@ std::string exportChoiceTitle(std::string_view option, std::string_view choice) 
       Title{"plan", toTranslate("Plane of points")},
       Title{"kutzbach", toTranslate("Speed plan")},
       Title{"spectrum", toTranslate("Spectrum")},
+      Title{"motors", toTranslate("Range of two motors")},
   };
   if (option == "--matrix") {
     const NamedResult* const result = resultNamed(choice);

@@ -55,7 +55,10 @@ const WrittenCell* TableTrial::unknownLabel() const {
 
 bool TableTrial::isRight() {
   if (hasSize() && labelsOf(*m_right)) {
-    if (accept(*m_right, FreeOrder::none)) return true;
+    if (accept(*m_right, FreeOrder::none)) {
+      if (!m_verdict.differences.empty()) acceptOrderOfFormulas();
+      return true;
+    }
   }
   if (const auto tree = otherTree(m_vocabulary, m_verdict.kind, m_table, m_amounts)) {
     acceptTree(*tree);
@@ -75,6 +78,15 @@ bool TableTrial::isRight() {
     return true;
   }
   return false;
+}
+
+/// The numbers are right as they stand, and some formulas are not: maybe they are in another order.
+void TableTrial::acceptOrderOfFormulas() {
+  const MatrixVerdict natural = m_verdict;
+  for (const FreeOrder order : {FreeOrder::rows, FreeOrder::columns, FreeOrder::both}) {
+    if (accept(*m_right, order) && m_verdict.differences.empty()) return;
+  }
+  m_verdict = natural;
 }
 
 void TableTrial::explain() {

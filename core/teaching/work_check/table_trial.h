@@ -40,6 +40,7 @@ class TableTrial {
   void acceptTree(const std::vector<int>& tree);
 
   /// Finds a mistake made throughout.
+  void acceptOrderOfFormulas();
   bool findMistake(FreeOrder order);
   [[nodiscard]] Alignment naturalAlignment() const;
   [[nodiscard]] std::vector<WorkDifference> naturalDifferences() const;

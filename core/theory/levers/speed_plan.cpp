@@ -104,13 +104,15 @@ class SpeedPlanner {
   }
 
   /// The height of the teeth, if both axes and that of their carrier are in one plane: the pitch point by the
-  /// teeth, where the wheels have one velocity.
+  /// teeth, where the wheels have one velocity. None for pins and belts 1 : 1.
   [[nodiscard]] std::optional<double> heightOf(const MeshGeometry& mesh) const {
     const double tail = m_plan.axes[mesh.tailClass].height;
     const double head = m_plan.axes[mesh.headClass].height;
     const double size = length(between(mesh.tailClass, mesh.headClass));
-    if (size == 0 || std::abs(std::abs(head - tail) - size) > kSameHeight * size) return std::nullopt;
-    return tail + (head - tail) * mesh.tailTeeth / (mesh.tailTeeth - mesh.sign * mesh.headTeeth);
+    const int alike = mesh.tailTeeth - mesh.sign * mesh.headTeeth;  // 0: both turn at one speed
+    if (alike == 0 || size == 0 || std::abs(std::abs(head - tail) - size) > kSameHeight * size)
+      return std::nullopt;
+    return tail + (head - tail) * mesh.tailTeeth / alike;
   }
 
   void addMesh(MeshOrdinal mesh) {

@@ -51,7 +51,8 @@ struct SpeedPlan {
   ByClass<Axis> axes;
   std::vector<Line> lines;
   std::vector<Crossing> crossings;
-  /// Meshes of two axes that are not in one plane with the axis of their carrier: their lines meet nowhere.
+  /// Meshes of two axes that are not in one plane with the axis of their carrier, and pairs that turn alike
+  /// (pins, belts 1 : 1): their lines meet nowhere.
   std::vector<MeshOrdinal> apart;
 };
 

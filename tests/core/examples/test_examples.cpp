@@ -72,7 +72,6 @@ const std::vector<Promise>& promises() {
        0,
        {{5, Rational(-16, 15)}, {6, Rational(-1, 15)}},
        {Code::undercut, Code::interference}},
-      {"rv-reducer", 1, 0, {{7, Rational(1, 121)}, {8, Rational(-40, 121)}, {9, Rational(-40, 121)}}},
       {"puma-wrist", 3, 0, {{14, 0}, {15, Rational(-13, 935)}, {16, Rational(13, 72) * Rational(13, 935)}}},
   };
   return all;

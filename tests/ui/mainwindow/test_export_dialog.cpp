@@ -224,7 +224,8 @@ class ExportDialogTest : public QObject {
       ExportDialog dialog(test::snapshotOf(test::example("robot")));
       dialog.setAttribute(Qt::WA_DeleteOnClose, false);
       dialog.choose("csv");
-      dialog.findChild<QComboBox*>("--separator")->setCurrentText("semicolon");
+      auto* const separator = dialog.findChild<QComboBox*>("--separator");
+      separator->setCurrentIndex(separator->findText("Semicolon"));
       connect(&dialog, &ExportDialog::wanted, this, [&](const QString& wanted) { id = wanted; });
       exportButton(dialog)->click();
     }

@@ -302,7 +302,7 @@ class WindowHelpTest : public QObject {
   void pagesAreFoundByTheirWords() {
     auto* search = part<SearchField>("search");
     search->begin();
-    QTest::keyClicks(search, QStringLiteral("undercut pointed"));
+    QTest::keyClicks(search, QStringLiteral("undercut contact ratio"));
     QVERIFY(search->model().rowCount() > 0);
     QCOMPARE(search->model().entryAt(0).page, QStringLiteral("teeth-axes-and-3d#what-is-checked"));
   }

@@ -55,7 +55,7 @@ class MeasureTest : public QObject {
     const MeasureSpots spots = spotsIn(spurPair());
     const Measurement centres = betweenThem(spots);
     QCOMPARE(centres.values.size(), std::size_t{1});
-    QVERIFY(centres.values[0].measure == Measure::centreDistance);
+    QVERIFY(centres.values[0].measure == MeasuredKind::centreDistance);
     QVERIFY(centres.values[0].fraction() == Rational(50));
     QCOMPARE(textOf(centres.values[0], "mm"), std::string("50 mm"));
 
@@ -68,7 +68,7 @@ class MeasureTest : public QObject {
     QCOMPARE(nameOf(diameters.values[1]), std::string("pitch diameter of gear 2"));
 
     const Measurement radius = measured(*spots.of(AxisId("b")), *pitch);
-    QVERIFY(radius.values[0].measure == Measure::pitchRadius);
+    QVERIFY(radius.values[0].measure == MeasuredKind::pitchRadius);
     QVERIFY(radius.values[0].fraction() == Rational(30));
     QVERIFY(radius.values[1].fraction() == Rational(60));
     QCOMPARE(radius.from[0], 50.0);  // the axis was named first
@@ -93,9 +93,9 @@ class MeasureTest : public QObject {
     QVERIFY(face->kind == Spot::Kind::faceCentre && other->kind == Spot::Kind::faceCentre);
     const Measurement across = measured(*face, *other);
     QVERIFY(std::abs(across.values[0].value - std::hypot(50.0, 12.0)) < 1e-9);
-    QVERIFY(across.values[1].measure == Measure::centreDistance);
+    QVERIFY(across.values[1].measure == MeasuredKind::centreDistance);
     QVERIFY(across.values[1].fraction() == Rational(50));
-    QVERIFY(across.values[2].measure == Measure::along);
+    QVERIFY(across.values[2].measure == MeasuredKind::along);
     QVERIFY(std::abs(across.values[2].value - 12) < 1e-9);
   }
 
@@ -126,8 +126,8 @@ class MeasureTest : public QObject {
           continue;
         const auto values = measured(*from, *to).values;
         if (values.size() != 3 || values[2].value == 0) continue;
-        QVERIFY(values[0].measure == Measure::centreDistance);
-        QVERIFY(values[1].measure == Measure::distance && values[1].value > values[0].value);
+        QVERIFY(values[0].measure == MeasuredKind::centreDistance);
+        QVERIFY(values[1].measure == MeasuredKind::distance && values[1].value > values[0].value);
         ++apart;
       }
     }
@@ -136,7 +136,7 @@ class MeasureTest : public QObject {
 
   void irrationalDistancesAreRoots() {
     const Measurement diagonal = betweenThem(twoAxes({"1", "1", "7"}, {"0", "0", "-3"}));
-    QVERIFY(diagonal.values[0].measure == Measure::centreDistance);
+    QVERIFY(diagonal.values[0].measure == MeasuredKind::centreDistance);
     QVERIFY(diagonal.values[0].square == Rational(2));
     QVERIFY(!diagonal.values[0].fraction());
     QCOMPARE(textOf(diagonal.values[0], "mm"), std::string("√2 mm ≈ 1.41421 mm"));
@@ -159,7 +159,7 @@ class MeasureTest : public QObject {
     for (const auto& [direction, degrees] : known) {
       const Measurement angle = betweenThem(twoAxes({"0", "0", "0"}, direction));
       QCOMPARE(angle.values.size(), std::size_t{1});
-      QVERIFY(angle.values[0].measure == Measure::angle);
+      QVERIFY(angle.values[0].measure == MeasuredKind::angle);
       QCOMPARE(angle.values[0].degrees.value_or(-1), degrees);
     }
     // From one space diagonal's face diagonal to another: 60 degrees.
@@ -177,7 +177,7 @@ class MeasureTest : public QObject {
   void skewAxesHaveADistanceAndAnAngle() {
     const Measurement skew = betweenThem(twoAxes({"5", "40", "9"}, {"1", "0", "0"}));
     QCOMPARE(skew.values.size(), std::size_t{2});
-    QVERIFY(skew.values[0].measure == Measure::distance);
+    QVERIFY(skew.values[0].measure == MeasuredKind::distance);
     QVERIFY(skew.values[0].fraction() == Rational(40));
     QCOMPARE(skew.values[1].degrees, std::optional(90));
     QVERIFY(length(skew.from - Vector3{0, 0, 9}) < 1e-12);  // the feet of the common normal
@@ -207,7 +207,8 @@ class MeasureTest : public QObject {
           QVERIFY(there.values[i].square == back.values[i].square);
           QVERIFY(std::abs(there.values[i].value - back.values[i].value) < 1e-9);
         }
-        QVERIFY(length(there.from - back.to) < 1e-9 || there.values[0].measure == Measure::centreDistance);
+        QVERIFY(length(there.from - back.to) < 1e-9 ||
+                there.values[0].measure == MeasuredKind::centreDistance);
       }
     }
   }

@@ -180,9 +180,11 @@ class ForeignGraphsTest : public QObject {
     dot("two coordinates", "a -> b [kind=mesh, tailTeeth=20, headTeeth=9, pitchPoint=\"[1, 2]\"]",
         "2:3 schema: The edge \"a\" -> \"b\", pitchPoint: expected a list of three numbers, found a list of "
         "2 elements.");
-    dot("kind of mesh", "a -> b [kind=mesh, tailTeeth=20, headTeeth=9, meshKind=hypoid]",
+    dot("kind of mesh", "a -> b [kind=mesh, tailTeeth=20, headTeeth=9, meshKind=friction]",
         "2:3 schema: The edge \"a\" -> \"b\", meshKind: expected \"external\", \"internal\", \"bevel\", "
-        "\"belt\", \"pins\", \"crossedHelical\" or \"worm\", found the string \"hypoid\".");
+        "\"belt\", \"pins\", \"rack\", \"screw\", \"crossedHelical\", \"worm\", \"faceGear\" or \"hypoid\", "
+        "found "
+        "the string \"friction\".");
     dot("loop", "a -> a [kind=turning, axis=x]", "2:3 self-joint: ");
     dot("pinned", "a [pinned=maybe]",
         "2:3 schema: The node \"a\", pinned: expected true or false, found the string \"maybe\".");

@@ -120,14 +120,15 @@ void MechanismReaderTest::treeFaults_areForTheEditorToFix_data() {
                          << R"("x": [)"
                          << "";
   QTest::newRow("a link held by a mesh only")
-      << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p"})"
+      << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p", "kind": "sliding"})"
       << R"({"id": 6, "tail": "arm", "head": "sun", "axis": "p"})"
       << "disconnected  [links:planet]; turning-loop  [turningJoints:6] "
          "[turningJoints:5] [turningJoints:4]";
-  QTest::newRow("redundant bearing") << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p"})"
-                                     << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p"},
+  QTest::newRow("redundant bearing")
+      << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p", "kind": "sliding"})"
+      << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p", "kind": "sliding"},
                                            {"id": 8, "tail": "planet", "head": "arm", "axis": "p"})"
-                                     << "turning-loop  [turningJoints:8] [turningJoints:6]";
+      << "turning-loop  [turningJoints:8] [turningJoints:6]";
 }
 
 void MechanismReaderTest::treeFaults_areForTheEditorToFix() {

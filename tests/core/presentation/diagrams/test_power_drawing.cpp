@@ -66,7 +66,7 @@ Powered planetarySet(int planets = 1, const Rational& torque = 10, bool losses =
 }
 
 /// Sun and carrier joined by a countershaft, ring driven, carrier out: power goes round.
-Powered closedTrain() {
+Powered closedTrain(int carrierTeeth = 40, int shaftTeeth = 20) {
   Mechanism mechanism = TrainSketch(5)
                             .joint(0, 1, "a")
                             .joint(0, 2, "a")
@@ -75,7 +75,7 @@ Powered closedTrain() {
                             .joint(0, 5, "c")
                             .mesh(1, 4, 24, 18, MeshKind::external)
                             .mesh(4, 3, 18, 60, MeshKind::internal)
-                            .mesh(2, 5, 40, 20, MeshKind::external)
+                            .mesh(2, 5, carrierTeeth, shaftTeeth, MeshKind::external)
                             .mesh(5, 1, 30, 30, MeshKind::external)
                             .build();
   mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[2].id, Number(1), {}}};
@@ -262,7 +262,7 @@ class PowerDrawingTest : public QObject {
 
   /// Also where flows add up along a line; the legend says how much the widest is.
   void noBandIsWiderThanTheScale() {
-    const Powered train = closedTrain();
+    const Powered train = closedTrain(20, 40);
     const DisplayList bands = train.schematicBands();
     double widest = 0;
     for (const Mark& mark : bands.marks)

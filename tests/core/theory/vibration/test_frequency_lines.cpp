@@ -210,7 +210,7 @@ class FrequencyLinesTest : public QObject {
         const auto tail = speedOf(geometry.tail);
         const auto carrier = speedOf(geometry.carrier);
         const bool isPlanar = directionSign(worked.placement, geometry.tailClass, geometry.headClass) != 0;
-        if (!tail || !carrier || !isPlanar) continue;
+        if (!tail || !carrier || !isPlanar || !touches(geometry.kind)) continue;
         const Rational speed = (*tail - *carrier).abs();
         QCOMPARE(frequencyOfMesh(lines, FrequencyKind::toothMesh, mesh),
                  Rational(geometry.tailTeeth) * speed);
