@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Every include of one layer by another must follow the list that geargraph_layer() wrote, and layers of core use none
-# of a wing above their own: core/CMakeLists.txt names the wings from the lowest to the highest.
+# of a group above their own: core/CMakeLists.txt names the groups from the lowest to the highest.
 # -D SOURCE=checkout -D LAYERS=file with lines "name|folder|uses|qt"
 
 include("${CMAKE_CURRENT_LIST_DIR}/check_lines.cmake")
@@ -31,13 +31,13 @@ foreach(name IN LISTS names)
   endwhile()
 endforeach()
 
-file(STRINGS "${SOURCE}/core/CMakeLists.txt" wings REGEX "^add_subdirectory")
-list(TRANSFORM wings REPLACE "^add_subdirectory\\(([a-z_]+)\\).*$" "\\1")
+file(STRINGS "${SOURCE}/core/CMakeLists.txt" groups REGEX "^add_subdirectory")
+list(TRANSFORM groups REPLACE "^add_subdirectory\\(([a-z_]+)\\).*$" "\\1")
 foreach(name IN LISTS names)
   if(folder_of_${name} MATCHES "^core/([^/]+)/")
-    list(FIND wings ${CMAKE_MATCH_1} height_of_${name})
+    list(FIND groups ${CMAKE_MATCH_1} height_of_${name})
     if(height_of_${name} EQUAL -1)
-      message(FATAL_ERROR "${name} is in no wing that core/CMakeLists.txt names")
+      message(FATAL_ERROR "${name} is in no group that core/CMakeLists.txt names")
     endif()
   else()
     set(height_of_${name} 1000)
@@ -63,7 +63,7 @@ endfunction()
 foreach(name IN LISTS names)
   foreach(used IN LISTS uses_of_${name})
     if(height_of_${used} GREATER height_of_${name})
-      complain("${name} may not use ${used}, which is in a wing above it")
+      complain("${name} may not use ${used}, which is in a group above it")
     endif()
   endforeach()
   file(GLOB_RECURSE files "${SOURCE}/${folder_of_${name}}/*.h" "${SOURCE}/${folder_of_${name}}/*.cpp")

@@ -20,7 +20,7 @@ QStringList names(const char* source) {
 
 /// The rule of one definition, which neither compiler nor linker checks: two types of one qualified name in
 /// different files, or two inline functions of one signature, are undefined behaviour. Tests count, too:
-/// those of a wing may share a program.
+/// those of a group may share a program.
 class OneDefinitionTest : public QObject {
   Q_OBJECT
  private slots:

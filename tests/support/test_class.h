@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-/// In unity builds one program holds the tests of a wing, and this header stands before each source of its
+/// In unity builds one program holds the tests of a group, and this header stands before each source of its
 /// batches: QTEST_MAIN and its kin then add a test class to the program, whose main() runs the one that its
 /// first argument names.
 namespace geargraph::test {

@@ -56,15 +56,15 @@ function(geargraph_shared_headers name)
   target_precompile_headers(${target} PRIVATE ${headers})
 endfunction()
 
-# geargraph_layer(name SOURCES files... [ALONE files...] [USES layers...] [QT modules...] [EXTERNAL targets...] [LIGHT])
+# geargraph_layer(name SOURCES files... [NO_UNITY files...] [USES layers...] [QT modules...] [EXTERNAL targets...] [LIGHT])
 #
 # Makes the static library geargraph_<name> from the files of this folder. USES names the layers it may include
 # from and is linked publicly; it is the only place a dependency between layers is written. The test
 # quality.layering reads the same list. QT turns on moc and Qt's include paths; a layer without QT cannot
-# include a Qt header, because no such path reaches its compiler. ALONE: sources whose local names others of the layer
+# include a Qt header, because no such path reaches its compiler. NO_UNITY: sources whose local names others of the layer
 # have, too; unity builds (GEARGRAPH_UNITY) compile them by themselves. LIGHT: see geargraph_quick_build(); a layer with QT is.
 function(geargraph_layer name)
-  cmake_parse_arguments(LAYER "LIGHT" "" "SOURCES;ALONE;USES;QT;EXTERNAL" ${ARGN})
+  cmake_parse_arguments(LAYER "LIGHT" "" "SOURCES;NO_UNITY;USES;QT;EXTERNAL" ${ARGN})
   if(LAYER_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "geargraph_layer(${name}): unknown arguments ${LAYER_UNPARSED_ARGUMENTS}")
   endif()
@@ -88,7 +88,7 @@ function(geargraph_layer name)
     geargraph_quick_build(${library} ${headers})
   endif()
   if(GEARGRAPH_UNITY)
-    set_source_files_properties(${LAYER_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    set_source_files_properties(${LAYER_NO_UNITY} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
   if(LAYER_QT)
     set_target_properties(${library} PROPERTIES AUTOMOC ON)
@@ -121,15 +121,15 @@ function(geargraph_install_layer name)
 endfunction()
 
 # geargraph_test(name LABELS labels... USES layers... SOURCES files... [QT modules...] [LINKS targets...] [DEFINES macros...]
-#   [NEEDS programs...] [ALONE] [PLAIN] [ARGUMENTS args...])
+#   [NEEDS programs...] [NO_UNITY] [PLAIN] [ARGUMENTS args...])
 #
 # One class of Qt Test, registered with ctest as <first label>.<name>. It has a program of its own, test_<name>, which links
-# exactly the layers it names. In unity builds (GEARGRAPH_UNITY) all classes of a wing share a program, tests_<wing>, and are
+# exactly the layers it names. In unity builds (GEARGRAPH_UNITY) all classes of a group share a program, tests_<group>, and are
 # compiled together (tests/support/test_class.h). LINKS: libraries that are no layers. DEFINES: the same in all tests of a
-# wing. NEEDS: programs that it starts. ALONE: its own program always, because it has its own main() or macros, or is linked
+# group. NEEDS: programs that it starts. NO_UNITY: its own program always, because it has its own main() or macros, or is linked
 # in its own way. PLAIN: the program brings its own main() and no Qt, for thread tests under TSan.
 function(geargraph_test name)
-  cmake_parse_arguments(T "PLAIN;ALONE" "" "SOURCES;USES;QT;LINKS;DEFINES;NEEDS;LABELS;ARGUMENTS" ${ARGN})
+  cmake_parse_arguments(T "PLAIN;NO_UNITY" "" "SOURCES;USES;QT;LINKS;DEFINES;NEEDS;LABELS;ARGUMENTS" ${ARGN})
   if(T_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "geargraph_test(${name}): unknown arguments ${T_UNPARSED_ARGUMENTS}")
   endif()
@@ -137,9 +137,9 @@ function(geargraph_test name)
     return()
   endif()
   list(TRANSFORM T_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/$]")
-  if(GEARGRAPH_UNITY AND NOT T_PLAIN AND NOT T_ALONE)
-    geargraph_wing_of_tests(wing)
-    set(program tests_${wing})
+  if(GEARGRAPH_UNITY AND NOT T_PLAIN AND NOT T_NO_UNITY)
+    geargraph_group_of_tests(group)
+    set(program tests_${group})
     set_property(GLOBAL APPEND PROPERTY GEARGRAPH_TEST_PROGRAMS ${program})
     foreach(part SOURCES USES QT LINKS DEFINES NEEDS)
       set_property(GLOBAL APPEND PROPERTY GEARGRAPH_${part}_OF_${program} ${T_${part}})
@@ -157,12 +157,12 @@ function(geargraph_test name)
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
 endfunction()
 
-# The wing that the tests of this folder belong to: core_theory for core/theory/statics, mainwindow apart from the rest of ui.
-function(geargraph_wing_of_tests result)
+# The group that the tests of this folder belong to: core_theory for core/theory/statics, mainwindow apart from the rest of ui.
+function(geargraph_group_of_tests result)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
-  string(REGEX MATCH "^(core/[^/]+|ui/mainwindow|[^/]+)" wing ${folder})
-  string(REPLACE "/" "_" wing ${wing})
-  set(${result} ${wing} PARENT_SCOPE)
+  string(REGEX MATCH "^(core/[^/]+|ui/mainwindow|[^/]+)" group ${folder})
+  string(REPLACE "/" "_" group ${group})
+  set(${result} ${group} PARENT_SCOPE)
 endfunction()
 
 # geargraph_test_program(program sources layers qt links defines needs plain): the target, lists given as one argument each.
@@ -194,7 +194,7 @@ function(geargraph_test_program program sources layers qt links defines needs pl
   endif()
 endfunction()
 
-# The programs of whole wings, once all their tests are known (GEARGRAPH_UNITY).
+# The programs of whole groups, once all their tests are known (GEARGRAPH_UNITY).
 function(geargraph_finish_test_programs)
   get_property(programs GLOBAL PROPERTY GEARGRAPH_TEST_PROGRAMS)
   list(REMOVE_DUPLICATES programs)

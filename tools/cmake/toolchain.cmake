@@ -2,7 +2,7 @@
 
 option(GEARGRAPH_QT "Build the layers, programs and tests that need Qt" ON)
 option(GEARGRAPH_WERROR "Warnings are errors (on in CI, off on users' machines)" OFF)
-option(GEARGRAPH_UNITY "Compile the sources of a layer together, and the tests of a wing: half the time for all, more for one" OFF)
+option(GEARGRAPH_UNITY "Compile the sources of a layer together, and the tests of a group: half the time for all, more for one" OFF)
 option(GEARGRAPH_PYTHON "Build the Python module" ON)
 if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   set(portable OFF)
