@@ -14738,6 +14738,34 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Zeichnung und 3D allein, die Zeichnung auf drei Fünfteln der Breite, in großer Schrift; „Anordnung zurücksetzen“ bringt die Felder zurück</translation>
     </message>
     <message>
+        <source>Lessons as &amp;web pages…</source>
+        <translation>Lektionen als &amp;Webseiten …</translation>
+    </message>
+    <message>
+        <source>Writes all lessons into a folder, with the same grader: pages for any browser, phones too, and packages for learning platforms</source>
+        <translation>Schreibt alle Lektionen in einen Ordner, mit derselben Korrektur: Seiten für jeden Browser, auch auf Telefonen, und Pakete für Lernplattformen</translation>
+    </message>
+    <message>
+        <source>html scorm moodle course class publish offline students</source>
+        <translation>html scorm moodle Kurs Klasse veröffentlichen offline Schüler Studenten</translation>
+    </message>
+    <message>
+        <source>Folder in which the lessons&apos; folder is made</source>
+        <translation>Ordner, in dem der Ordner der Lektionen angelegt wird</translation>
+    </message>
+    <message>
+        <source>GearGraph lessons</source>
+        <translation>GearGraph-Lektionen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already: no lesson was written.</source>
+        <translation>„%1“ ist schon da: Keine Lektion wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Range of two motors</source>
+        <translation>Bereich zweier Motoren</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Notiz: in den leeren Bereich klicken, oder auf eine Notiz, um sie zu ändern</translation>
     </message>

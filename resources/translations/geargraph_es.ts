@@ -14738,6 +14738,34 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Solo el dibujo y el 3D, el dibujo en tres quintos del ancho, con letra grande; «Restablecer la disposición» devuelve los paneles</translation>
     </message>
     <message>
+        <source>Lessons as &amp;web pages…</source>
+        <translation>Lecciones como &amp;páginas web…</translation>
+    </message>
+    <message>
+        <source>Writes all lessons into a folder, with the same grader: pages for any browser, phones too, and packages for learning platforms</source>
+        <translation>Escribe todas las lecciones en una carpeta, con la misma corrección: páginas para cualquier navegador, también en teléfonos, y paquetes para plataformas de aprendizaje</translation>
+    </message>
+    <message>
+        <source>html scorm moodle course class publish offline students</source>
+        <translation>html scorm moodle curso clase publicar sin conexión estudiantes</translation>
+    </message>
+    <message>
+        <source>Folder in which the lessons&apos; folder is made</source>
+        <translation>Carpeta en la que se crea la carpeta de las lecciones</translation>
+    </message>
+    <message>
+        <source>GearGraph lessons</source>
+        <translation>Lecciones de GearGraph</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already: no lesson was written.</source>
+        <translation>«%1» ya existe: no se escribió ninguna lección.</translation>
+    </message>
+    <message>
+        <source>Range of two motors</source>
+        <translation>Zona de dos motores</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Nota: clic en un área vacía, o en una nota para cambiarla</translation>
     </message>

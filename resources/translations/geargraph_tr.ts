@@ -14736,6 +14736,34 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Yalnız çizim ve 3B, çizim genişliğin beşte üçünde, büyük yazıyla; yerleşimi sıfırlamak panelleri geri getirir</translation>
     </message>
     <message>
+        <source>Lessons as &amp;web pages…</source>
+        <translation>&amp;Web sayfası olarak dersler…</translation>
+    </message>
+    <message>
+        <source>Writes all lessons into a folder, with the same grader: pages for any browser, phones too, and packages for learning platforms</source>
+        <translation>Tüm dersleri aynı değerlendirmeyle bir klasöre yazar: telefonlar dahil her tarayıcı için sayfalar ve öğrenme platformları için paketler</translation>
+    </message>
+    <message>
+        <source>html scorm moodle course class publish offline students</source>
+        <translation>html scorm moodle kurs sınıf yayımla çevrimdışı öğrenciler</translation>
+    </message>
+    <message>
+        <source>Folder in which the lessons&apos; folder is made</source>
+        <translation>Derslerin klasörünün oluşturulacağı klasör</translation>
+    </message>
+    <message>
+        <source>GearGraph lessons</source>
+        <translation>GearGraph dersleri</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already: no lesson was written.</source>
+        <translation>&quot;%1&quot; zaten var: hiçbir ders yazılmadı.</translation>
+    </message>
+    <message>
+        <source>Range of two motors</source>
+        <translation>İki motorun bölgesi</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Not: boş alana tıklayın, ya da değiştirmek için bir nota</translation>
     </message>

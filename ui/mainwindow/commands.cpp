@@ -524,6 +524,13 @@ std::vector<Command> commandsOfLearn() {
        .name = "learn.lessonFile",
        .text = words("Open a lesson &file…"),
        .tip = words("Preview a lesson of your own: it is reloaded whenever the file is saved")},
+      {.id = CommandId::lessonPages,
+       .name = "learn.lessonPages",
+       .text = words("Lessons as &web pages…"),
+       .tip =
+           words("Writes all lessons into a folder, with the same grader: pages for any browser, phones too, "
+                 "and packages for learning platforms"),
+       .searchWords = "html scorm moodle course class publish offline students"},
       {.id = CommandId::exercises,
        .name = "learn.exercises",
        .text = words("&Exercises…"),

@@ -75,6 +75,7 @@ enum class CommandId {
   backwards,
   lessons,
   lessonFile,
+  lessonPages,
   exercises,
   checkPaper,
   handoutNow,

@@ -1,15 +1,19 @@
 // File > Export derivation: both methods worked out, as a web page, PDF, LaTeX or Markdown. File > Export
-// handout: the same as one page with the train in three dimensions and inputs that move. Sheets of exercises.
+// handout: the same as one page with the train in three dimensions and inputs that move. Sheets of exercises,
+// and lessons as pages.
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <array>
 
 #include "core/presentation/export_api/handout_train.h"
 #include "core/presentation/export_api/report_lists.h"
 #include "core/presentation/export_api/scorm_package.h"
+#include "core/presentation/lesson_pages/lesson_files.h"
 #include "core/presentation/page_layout/report_pdf.h"
+#include "core/teaching/lessons/course.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/schematic_view.h"
 #include "ui/mainwindow/export_jobs.h"
@@ -203,6 +207,28 @@ void WindowExports::exportSheets(const QString& folder, const SheetRequest& requ
     const ExerciseSource source(*mechanism);
     const auto files = sheetFiles(
         source, asked, [&](int variants) { progress(variants, request.plan.variants); }, stop);
+    if (stop.stop_requested()) return tr("The export was stopped.");
+    if (!files) return QString::fromStdString(files.error().front().message);
+    const auto error = writeFolder(QFile::encodeName(folder).toStdString(), *files, {false, stop, {}});
+    return error ? QString::fromStdString(error->message) : QString();
+  };
+  m_jobs->add({folder, true, run});
+}
+
+void WindowExports::chooseAndExportLessons() {
+  const QString where =
+      QFileDialog::getExistingDirectory(m_window, tr("Folder in which the lessons' folder is made"));
+  if (!where.isEmpty()) exportLessons(QDir(where).filePath(tr("GearGraph lessons")));
+}
+
+void WindowExports::exportLessons(const QString& folder) {
+  if (QFileInfo::exists(folder)) {
+    emit rejected(tr("\"%1\" is there already: no lesson was written.").arg(QFileInfo(folder).fileName()));
+    return;
+  }
+  const auto run = [=](const ExportJobs::Progress& /*progress*/, const std::stop_token& stop) {
+    constexpr std::array kForms = {LessonFileForm::html, LessonFileForm::scorm};
+    const auto files = lessonFiles(course(), kForms, bundledExample, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     if (!files) return QString::fromStdString(files.error().front().message);
     const auto error = writeFolder(QFile::encodeName(folder).toStdString(), *files, {false, stop, {}});

@@ -143,8 +143,8 @@ void MainWindow::makeMenus() {
   motion->addActions(a.of({faster, slower, normalSpeed, backwards}));
 
   menu(tr("&Learn"))
-      ->addActions(a.of(
-          {lessons, lessonFile, exercises, handoutNow, checkPaper, showDerivation, compareMethods, lookUp}));
+      ->addActions(a.of({lessons, lessonFile, lessonPages, exercises, handoutNow, checkPaper, showDerivation,
+                         compareMethods, lookUp}));
   menu(tr("&Help"))->addActions(a.of({manual, whatsThis, tour, search, shortcuts, about}));
 }
 
@@ -169,6 +169,7 @@ void MainWindow::wireActions() {
   });
   connect(a[lessons], &QAction::triggered, this, &MainWindow::showCourse);
   connect(a[lessonFile], &QAction::triggered, this, &MainWindow::chooseLessonFile);
+  connect(a[lessonPages], &QAction::triggered, m_exports, &WindowExports::chooseAndExportLessons);
   connect(a[exercises], &QAction::triggered, this, &MainWindow::showExercises);
   connect(a[handoutNow], &QAction::triggered, m_exports, &WindowExports::exportHandoutNow);
   connect(a[checkPaper], &QAction::triggered, this, &MainWindow::showPaperCheck);

@@ -86,6 +86,9 @@ class WindowExports : public QObject {
   void exportHandoutAsking(const QString& path, const SheetPlan& plan);
   /// Exports sheets, solutions and files for answers into a new folder; written() follows.
   void exportSheets(const QString& folder, const SheetRequest& request);
+  /// Exports all lessons as pages and as packages, with a page that lists them, into a new folder; written()
+  /// follows.
+  void exportLessons(const QString& folder);
   /// Exports the document by an exporter of core with its options; written() follows, and what it has to say
   /// is noted. @pre the options hold those that choose the exporter
   /// @param mayOverwrite files that are in the folder already are written anew
@@ -110,6 +113,7 @@ class WindowExports : public QObject {
   void chooseAndExportDerivation();
   void chooseAndExportHandout();
   void chooseAndExportHandoutAsking(const geargraph::SheetPlan& plan);
+  void chooseAndExportLessons();
   void chooseAndExportSheets(const geargraph::SheetRequest& request);
   void chooseAndSaveTrace();
   void chooseAndSaveSpeeds();

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/teaching/lessons/course.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
@@ -149,6 +150,23 @@ class DrawingsTest : public QObject {
     window->exports().exportSheets(sheets, request);
     QCOMPARE(rejection.count(), qsizetype{1});
     QVERIFY(rejection[0][0].toString().contains("sheets"));
+  }
+
+  void lessonsAreWrittenAsPagesAndPackages() {
+    const QString lessons = folder.filePath("lessons");
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportLessons(lessons);
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), qsizetype{1}, 120'000);
+    QStringList expected{QStringLiteral("index.html")};
+    for (const Lesson& lesson : course()) {
+      for (const char* suffix : {".html", ".zip"})
+        expected += QString::fromStdString(lesson.id) + QLatin1String(suffix);
+    }
+    expected.sort();
+    QCOMPARE(QDir(lessons).entryList(QDir::Files, QDir::Name), expected);
+    QSignalSpy rejection(&window->exports(), &WindowExports::rejected);
+    window->exports().exportLessons(lessons);
+    QCOMPARE(rejection.count(), qsizetype{1});
   }
 
   // One key, and both methods are there, as the document is now.
