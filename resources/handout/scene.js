@@ -4,7 +4,7 @@ const EDGE_ANGLE = 32;   // degrees between two faces, from which on their edge 
 const NEAR = 12;         // px beside a part that a click still hits
 const LONGEST = 3600;    // s of a period that the slider covers
 const STRETCH = 60;      // s that it covers where there is no such period
-const LIT = 0x2f6fed, EDGE = 0x20242a;
+const LIT = 0x2a68e4, EDGE = 0x20242a;
 
 
 // Blocks of whole four bytes, one after the other, as core/presentation/handout/page_scene.h has them.

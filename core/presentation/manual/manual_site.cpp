@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kStyle = R"(
 :root { color-scheme: light dark; --ink: #23272e; --soft: #6b7380; --rule: #d9dde3; --ground: #ffffff; --panel: #f5f6f8;
-        --accent: #2f6fed; }
+        --accent: #2a68e4; }
 @media (prefers-color-scheme: dark) { :root { --ink: #e6e9ee; --soft: #98a1ae; --rule: #3a414b; --ground: #1e2227;
         --panel: #262b31; --accent: #6c9bff; } }
 body { margin: 0; color: var(--ink); background: var(--ground);
