@@ -67,7 +67,8 @@ std::string valueText(const MemberInfo& info) {
     case MemberValue::teeth:
       return "whole number from 1 to 100,000";
     case MemberValue::meshKind:
-      return "`external`, `internal`, `bevel`, `belt`, `pins`, `rack`, `screw`, `crossedHelical` or `worm`";
+      return "`external`, `internal`, `bevel`, `belt`, `pins`, `rack`, `screw`, `crossedHelical`, `worm`, "
+             "`faceGear` or `hypoid`";
     case MemberValue::hand:
       return "`right` or `left`";
     case MemberValue::jointKind:

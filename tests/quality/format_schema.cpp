@@ -105,10 +105,10 @@ std::string typeOf(DocumentPart part, const MemberInfo& info) {
     case MemberValue::teeth:
       return reference("teeth");
     case MemberValue::meshKind:
-      return choice(
-          std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt, MeshKind::pins,
-                     MeshKind::rack, MeshKind::screw, MeshKind::crossedHelical, MeshKind::worm},
-          meshKindName);
+      return choice(std::array{MeshKind::external, MeshKind::internal, MeshKind::bevel, MeshKind::belt,
+                               MeshKind::pins, MeshKind::rack, MeshKind::screw, MeshKind::crossedHelical,
+                               MeshKind::worm, MeshKind::faceGear, MeshKind::hypoid},
+                    meshKindName);
     case MemberValue::hand:
       return choice(std::array{Hand::right, Hand::left}, handName);
     case MemberValue::jointKind:

@@ -333,9 +333,9 @@ class GearMesh(_Labelled):
     @property
     def hand(self) -> Any:
         """Of the helix of the first gear. That of the second follows: the opposite one of an
-        external or bevel pair, the same of an internal one and of a worm, and of ``crossedHelical``
-        that which the crossing angle leaves. Right-hand bevel teeth turn clockwise outwards, seen
-        from the apex."""
+        external or bevel pair, the same of an internal one and of a worm, and of
+        ``crossedHelical`` that which the crossing angle leaves. Right-hand bevel teeth turn
+        clockwise outwards, seen from the apex."""
         value = self._data.get("hand")
         return None if value is None else value
 
