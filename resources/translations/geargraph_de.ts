@@ -21020,6 +21020,146 @@ Radpaare / Steg: %3</translation>
         <source>One of its links turns, the other one slides along that axis.</source>
         <translation>Eines der Glieder dreht sich, das andere gleitet längs dieser Achse.</translation>
     </message>
+    <message>
+        <source>Travel and module of a rack are above 0.</source>
+        <translation>Hub und Modul einer Zahnstange sind größer als 0.</translation>
+    </message>
+    <message>
+        <source>A pinion of this module has %1 teeth for this travel a turn, and %2 to %3 fit.</source>
+        <translation>Ein Ritzel dieses Moduls hat für diesen Hub je Umdrehung %1 Zähne, möglich sind %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Rack drive</source>
+        <translation>Zahnstangentrieb</translation>
+    </message>
+    <message>
+        <source>The lead of a screw is above 0.</source>
+        <translation>Die Steigung einer Spindel ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>Screw drive</source>
+        <translation>Spindeltrieb</translation>
+    </message>
+    <message>
+        <source>nut</source>
+        <translation>Mutter</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 %3</source>
+        <translation>Gelenk %1 bei %2 %3</translation>
+    </message>
+    <message>
+        <source>Speed of what slides</source>
+        <translation>Geschwindigkeit von Schiebendem</translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation>%1 längs %2</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: link %2 slides along link %3</source>
+        <translation>Geschwindigkeit von Gelenk %1: Glied %2 gleitet auf Glied %3</translation>
+    </message>
+    <message>
+        <source>%1/rad</source>
+        <translation>%1/rad</translation>
+    </message>
+    <message>
+        <source>rad/%1</source>
+        <translation>rad/%1</translation>
+    </message>
+    <message>
+        <source>The joint slides back no farther than this from the reference pose: 0 or less. Empty: no limit.</source>
+        <translation>Weiter gleitet das Gelenk aus der Ausgangslage nicht zurück: 0 oder weniger. Leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>The joint slides on no farther than this from the reference pose: 0 or more. Empty: no limit.</source>
+        <translation>Weiter gleitet das Gelenk aus der Ausgangslage nicht vor: 0 oder mehr. Leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>One of its links slides: a rack or a screw fits, or turning joints.</source>
+        <translation>Eines seiner Glieder gleitet: Es passen eine Zahnstange oder eine Spindel, oder Drehgelenke.</translation>
+    </message>
+    <message>
+        <source>Both of its links slide, and one of them has to turn.</source>
+        <translation>Beide Glieder gleiten, und eines davon muss sich drehen.</translation>
+    </message>
+    <message>
+        <source>Both of its links turn, and one of them has to slide. The form of a joint makes it a sliding one.</source>
+        <translation>Beide Glieder drehen sich, und eines davon muss gleiten. Das Formular eines Gelenks macht es zum Schubgelenk.</translation>
+    </message>
+    <message>
+        <source>It does not slide along the axis of the link that turns: a rack fits.</source>
+        <translation>Es gleitet nicht längs der Achse des Glieds, das sich dreht: Eine Zahnstange passt.</translation>
+    </message>
+    <message>
+        <source>It slides along the axis of the link that turns: a screw fits.</source>
+        <translation>Es gleitet längs der Achse des Glieds, das sich dreht: Eine Spindel passt.</translation>
+    </message>
+    <message>
+        <source>Sliding joint %1: %2 → %3</source>
+        <translation>Schubgelenk %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1 sliding joints</source>
+        <translation>%1 Schubgelenke</translation>
+    </message>
+    <message>
+        <source>Limits, %1</source>
+        <translation>Grenzen, %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast %2 slides along %3. Positive: in the direction of the axis.</source>
+        <translation>Geschwindigkeit von Gelenk %1: wie schnell %2 auf %3 gleitet. Positiv: in Richtung der Achse.</translation>
+    </message>
+    <message>
+        <source>Travel a turn, about</source>
+        <translation>Hub je Umdrehung, etwa</translation>
+    </message>
+    <message>
+        <source>Lead, advance of a turn</source>
+        <translation>Steigung, Vorschub je Umdrehung</translation>
+    </message>
+    <message>
+        <source>One turn of &quot;%1&quot; moves &quot;%2&quot; by %3.</source>
+        <translation>Eine Umdrehung von „%1“ verschiebt „%2“ um %3.</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>drehend</translation>
+    </message>
+    <message>
+        <source>The head turns about the axis, against the tail.</source>
+        <translation>Die Spitze dreht sich um die Achse, gegen den Fuß.</translation>
+    </message>
+    <message>
+        <source>sliding</source>
+        <translation>gleitend</translation>
+    </message>
+    <message>
+        <source>The head slides along the axis, against the tail.</source>
+        <translation>Die Spitze gleitet längs der Achse, gegen den Fuß.</translation>
+    </message>
+    <message>
+        <source>Change kind of joint</source>
+        <translation>Gelenkart ändern</translation>
+    </message>
+    <message>
+        <source>In %1/s; a speed with another unit, such as 2 m/s or 30 in/min, is converted.</source>
+        <translation>In %1/s; eine Geschwindigkeit in einer anderen Einheit, etwa 2 m/s oder 30 in/min, wird umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Type a speed such as 12, 2*3, 2 m/s or 30 in/min.</source>
+        <translation>Eine Geschwindigkeit eingeben, etwa 12, 2*3, 2 m/s oder 30 in/min.</translation>
+    </message>
+    <message>
+        <source>No joint is driven: %1 as input, at 1 rad/s or %2 each.</source>
+        <translation>Kein Gelenk wird angetrieben: %1 als Antrieb, mit je 1 rad/s oder %2.</translation>
+    </message>
+    <message>
+        <source>Hand of the thread</source>
+        <translation>Gangrichtung des Gewindes</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -21020,6 +21020,146 @@ pares / portasatélites: %3</translation>
         <source>One of its links turns, the other one slides along that axis.</source>
         <translation>Uno de sus eslabones gira, el otro se desliza a lo largo de ese eje.</translation>
     </message>
+    <message>
+        <source>Travel and module of a rack are above 0.</source>
+        <translation>La carrera y el módulo de una cremallera son mayores que 0.</translation>
+    </message>
+    <message>
+        <source>A pinion of this module has %1 teeth for this travel a turn, and %2 to %3 fit.</source>
+        <translation>Un piñón de este módulo tiene %1 dientes para esta carrera por vuelta, y sirven de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>Rack drive</source>
+        <translation>Transmisión por cremallera</translation>
+    </message>
+    <message>
+        <source>The lead of a screw is above 0.</source>
+        <translation>El paso de un husillo es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>Screw drive</source>
+        <translation>Transmisión por husillo</translation>
+    </message>
+    <message>
+        <source>nut</source>
+        <translation>tuerca</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 %3</source>
+        <translation>par %1 a %2 %3</translation>
+    </message>
+    <message>
+        <source>Speed of what slides</source>
+        <translation>Velocidad de lo que desliza</translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation>%1 a lo largo de %2</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: link %2 slides along link %3</source>
+        <translation>Velocidad del par %1: el eslabón %2 desliza sobre el eslabón %3</translation>
+    </message>
+    <message>
+        <source>%1/rad</source>
+        <translation>%1/rad</translation>
+    </message>
+    <message>
+        <source>rad/%1</source>
+        <translation>rad/%1</translation>
+    </message>
+    <message>
+        <source>The joint slides back no farther than this from the reference pose: 0 or less. Empty: no limit.</source>
+        <translation>El par no desliza hacia atrás más allá de esto desde la posición de referencia: 0 o menos. Vacío: sin límite.</translation>
+    </message>
+    <message>
+        <source>The joint slides on no farther than this from the reference pose: 0 or more. Empty: no limit.</source>
+        <translation>El par no desliza hacia delante más allá de esto desde la posición de referencia: 0 o más. Vacío: sin límite.</translation>
+    </message>
+    <message>
+        <source>One of its links slides: a rack or a screw fits, or turning joints.</source>
+        <translation>Uno de sus eslabones desliza: sirve una cremallera o un husillo, o pares de revolución.</translation>
+    </message>
+    <message>
+        <source>Both of its links slide, and one of them has to turn.</source>
+        <translation>Sus dos eslabones deslizan, y uno de ellos tiene que girar.</translation>
+    </message>
+    <message>
+        <source>Both of its links turn, and one of them has to slide. The form of a joint makes it a sliding one.</source>
+        <translation>Sus dos eslabones giran, y uno de ellos tiene que deslizar. El formulario de un par lo convierte en deslizante.</translation>
+    </message>
+    <message>
+        <source>It does not slide along the axis of the link that turns: a rack fits.</source>
+        <translation>No desliza a lo largo del eje del eslabón que gira: sirve una cremallera.</translation>
+    </message>
+    <message>
+        <source>It slides along the axis of the link that turns: a screw fits.</source>
+        <translation>Desliza a lo largo del eje del eslabón que gira: sirve un husillo.</translation>
+    </message>
+    <message>
+        <source>Sliding joint %1: %2 → %3</source>
+        <translation>Par deslizante %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1 sliding joints</source>
+        <translation>%1 pares deslizantes</translation>
+    </message>
+    <message>
+        <source>Limits, %1</source>
+        <translation>Límites, %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast %2 slides along %3. Positive: in the direction of the axis.</source>
+        <translation>Velocidad del par %1: con qué rapidez %2 desliza sobre %3. Positiva: en la dirección del eje.</translation>
+    </message>
+    <message>
+        <source>Travel a turn, about</source>
+        <translation>Carrera por vuelta, aproximada</translation>
+    </message>
+    <message>
+        <source>Lead, advance of a turn</source>
+        <translation>Paso, avance por vuelta</translation>
+    </message>
+    <message>
+        <source>One turn of &quot;%1&quot; moves &quot;%2&quot; by %3.</source>
+        <translation>Una vuelta de «%1» desplaza «%2» %3.</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>de revolución</translation>
+    </message>
+    <message>
+        <source>The head turns about the axis, against the tail.</source>
+        <translation>La cabeza gira alrededor del eje, respecto a la cola.</translation>
+    </message>
+    <message>
+        <source>sliding</source>
+        <translation>deslizante</translation>
+    </message>
+    <message>
+        <source>The head slides along the axis, against the tail.</source>
+        <translation>La cabeza desliza a lo largo del eje, respecto a la cola.</translation>
+    </message>
+    <message>
+        <source>Change kind of joint</source>
+        <translation>Cambiar el tipo de par</translation>
+    </message>
+    <message>
+        <source>In %1/s; a speed with another unit, such as 2 m/s or 30 in/min, is converted.</source>
+        <translation>En %1/s; una velocidad en otra unidad, como 2 m/s o 30 in/min, se convierte.</translation>
+    </message>
+    <message>
+        <source>Type a speed such as 12, 2*3, 2 m/s or 30 in/min.</source>
+        <translation>Escriba una velocidad como 12, 2*3, 2 m/s o 30 in/min.</translation>
+    </message>
+    <message>
+        <source>No joint is driven: %1 as input, at 1 rad/s or %2 each.</source>
+        <translation>Ningún par está accionado: %1 como entrada, a 1 rad/s o %2 cada uno.</translation>
+    </message>
+    <message>
+        <source>Hand of the thread</source>
+        <translation>Sentido de la rosca</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

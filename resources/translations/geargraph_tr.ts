@@ -21018,6 +21018,146 @@ dişli çiftleri / taşıyıcı: %3</translation>
         <source>One of its links turns, the other one slides along that axis.</source>
         <translation>Uzuvlarından biri döner, öbürü o eksen boyunca kayar.</translation>
     </message>
+    <message>
+        <source>Travel and module of a rack are above 0.</source>
+        <translation>Bir kremayerin ilerlemesi ve modülü 0&apos;dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>A pinion of this module has %1 teeth for this travel a turn, and %2 to %3 fit.</source>
+        <translation>Bu modülde bir pinyon, tur başına bu ilerleme için %1 dişe sahip olur; %2 ile %3 arası uygundur.</translation>
+    </message>
+    <message>
+        <source>Rack drive</source>
+        <translation>Kremayer tahriki</translation>
+    </message>
+    <message>
+        <source>The lead of a screw is above 0.</source>
+        <translation>Bir vidanın adımı 0&apos;dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>Screw drive</source>
+        <translation>Vidalı tahrik</translation>
+    </message>
+    <message>
+        <source>nut</source>
+        <translation>somun</translation>
+    </message>
+    <message>
+        <source>joint %1 at %2 %3</source>
+        <translation>mafsal %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Speed of what slides</source>
+        <translation>Kayanların hızı</translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation>%2 boyunca %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: link %2 slides along link %3</source>
+        <translation>%1 mafsalının hızı: %2 uzvu %3 uzvu boyunca kayar</translation>
+    </message>
+    <message>
+        <source>%1/rad</source>
+        <translation>%1/rad</translation>
+    </message>
+    <message>
+        <source>rad/%1</source>
+        <translation>rad/%1</translation>
+    </message>
+    <message>
+        <source>The joint slides back no farther than this from the reference pose: 0 or less. Empty: no limit.</source>
+        <translation>Mafsal referans konumundan bundan daha geriye kaymaz: 0 ya da daha az. Boş: sınır yok.</translation>
+    </message>
+    <message>
+        <source>The joint slides on no farther than this from the reference pose: 0 or more. Empty: no limit.</source>
+        <translation>Mafsal referans konumundan bundan daha ileriye kaymaz: 0 ya da daha çok. Boş: sınır yok.</translation>
+    </message>
+    <message>
+        <source>One of its links slides: a rack or a screw fits, or turning joints.</source>
+        <translation>Uzuvlarından biri kayar: bir kremayer ya da vida uyar, ya da döner mafsallar.</translation>
+    </message>
+    <message>
+        <source>Both of its links slide, and one of them has to turn.</source>
+        <translation>Her iki uzvu da kayar; birinin dönmesi gerekir.</translation>
+    </message>
+    <message>
+        <source>Both of its links turn, and one of them has to slide. The form of a joint makes it a sliding one.</source>
+        <translation>Her iki uzvu da döner; birinin kayması gerekir. Bir mafsalın formu onu kayar mafsal yapar.</translation>
+    </message>
+    <message>
+        <source>It does not slide along the axis of the link that turns: a rack fits.</source>
+        <translation>Dönen uzvun ekseni boyunca kaymaz: bir kremayer uyar.</translation>
+    </message>
+    <message>
+        <source>It slides along the axis of the link that turns: a screw fits.</source>
+        <translation>Dönen uzvun ekseni boyunca kayar: bir vida uyar.</translation>
+    </message>
+    <message>
+        <source>Sliding joint %1: %2 → %3</source>
+        <translation>Kayar mafsal %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1 sliding joints</source>
+        <translation>%1 kayar mafsal</translation>
+    </message>
+    <message>
+        <source>Limits, %1</source>
+        <translation>Sınırlar, %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast %2 slides along %3. Positive: in the direction of the axis.</source>
+        <translation>%1 mafsalının hızı: %2, %3 boyunca ne kadar hızlı kayar. Pozitif: eksenin yönünde.</translation>
+    </message>
+    <message>
+        <source>Travel a turn, about</source>
+        <translation>Tur başına ilerleme, yaklaşık</translation>
+    </message>
+    <message>
+        <source>Lead, advance of a turn</source>
+        <translation>Adım, tur başına ilerleme</translation>
+    </message>
+    <message>
+        <source>One turn of &quot;%1&quot; moves &quot;%2&quot; by %3.</source>
+        <translation>“%1” bir tur döndüğünde “%2” %3 ilerler.</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>döner</translation>
+    </message>
+    <message>
+        <source>The head turns about the axis, against the tail.</source>
+        <translation>Baş, kuyruğa göre eksen etrafında döner.</translation>
+    </message>
+    <message>
+        <source>sliding</source>
+        <translation>kayar</translation>
+    </message>
+    <message>
+        <source>The head slides along the axis, against the tail.</source>
+        <translation>Baş, kuyruğa göre eksen boyunca kayar.</translation>
+    </message>
+    <message>
+        <source>Change kind of joint</source>
+        <translation>Mafsal türünü değiştir</translation>
+    </message>
+    <message>
+        <source>In %1/s; a speed with another unit, such as 2 m/s or 30 in/min, is converted.</source>
+        <translation>%1/s olarak; 2 m/s ya da 30 in/min gibi başka birimdeki bir hız dönüştürülür.</translation>
+    </message>
+    <message>
+        <source>Type a speed such as 12, 2*3, 2 m/s or 30 in/min.</source>
+        <translation>12, 2*3, 2 m/s ya da 30 in/min gibi bir hız yazın.</translation>
+    </message>
+    <message>
+        <source>No joint is driven: %1 as input, at 1 rad/s or %2 each.</source>
+        <translation>Hiçbir mafsal tahrik edilmiyor: giriş olarak %1, her biri 1 rad/s ya da %2 ile.</translation>
+    </message>
+    <message>
+        <source>Hand of the thread</source>
+        <translation>Dişin yönü</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

@@ -50,14 +50,24 @@ int LinkSpeedsModel::observerNode() const {
   return found == links.end() ? 0 : static_cast<int>(found - links.begin());
 }
 
-/// Directions that are parallel in the reference pose are one, as in absoluteSpeed().
-std::vector<SpeedAbout> LinkSpeedsModel::speedOf(int link) const {
+std::vector<SpeedAboutOf<PiNumber>> LinkSpeedsModel::absoluteOf(int link) const {
   const Placement& placement = m_snapshot->kinematics->placement();
-  std::vector<SpeedAbout> sum = absoluteSpeed(placement, *exactRates(), link);
+  const SolvedKinematics& solved = *m_snapshot->solved;
+  if (solved.pi) return absoluteSpeed(placement, solved.pi->rates, link);
+  std::vector<SpeedAboutOf<PiNumber>> speeds;
+  for (const SpeedAbout& about : absoluteSpeed(placement, solved.exact->rates, link))
+    speeds.push_back({about.axisGroup, about.speed});
+  return speeds;
+}
+
+/// Directions that are parallel in the reference pose are one, as in absoluteSpeed().
+std::vector<SpeedAboutOf<PiNumber>> LinkSpeedsModel::speedOf(int link) const {
+  const Placement& placement = m_snapshot->kinematics->placement();
+  std::vector<SpeedAboutOf<PiNumber>> sum = absoluteOf(link);
   const int observer = observerNode();
   if (observer == 0) return sum;
-  for (const SpeedAbout& less : absoluteSpeed(placement, *exactRates(), observer)) {
-    const auto same = std::find_if(sum.begin(), sum.end(), [&](const SpeedAbout& about) {
+  for (const SpeedAboutOf<PiNumber>& less : absoluteOf(observer)) {
+    const auto same = std::find_if(sum.begin(), sum.end(), [&](const SpeedAboutOf<PiNumber>& about) {
       return directionSign(placement, about.axisGroup, less.axisGroup) != 0;
     });
     if (same == sum.end()) {
@@ -68,7 +78,7 @@ std::vector<SpeedAbout> LinkSpeedsModel::speedOf(int link) const {
       same->speed = same->speed + less.speed;
     }
   }
-  std::erase_if(sum, [](const SpeedAbout& about) { return about.speed.isZero(); });
+  std::erase_if(sum, [](const SpeedAboutOf<PiNumber>& about) { return about.speed.isZero(); });
   return sum;
 }
 
@@ -76,8 +86,8 @@ ElementId LinkSpeedsModel::linkAt(int row) const {
   return m_snapshot->mechanism->links[static_cast<std::size_t>(row) + 1].id;
 }
 
-const std::vector<Rational>* LinkSpeedsModel::exactRates() const {
-  return m_snapshot->solved && m_snapshot->solved->exact ? &m_snapshot->solved->exact->rates : nullptr;
+bool LinkSpeedsModel::hasExactRates() const {
+  return m_snapshot->solved && (m_snapshot->solved->exact || m_snapshot->solved->pi);
 }
 
 int LinkSpeedsModel::rowCount(const QModelIndex& parent) const {
@@ -90,9 +100,8 @@ int LinkSpeedsModel::columnCount(const QModelIndex& parent) const {
   return rowCount() == 0 || parent.isValid() ? 0 : columnTotal;
 }
 
-std::optional<Rational> LinkSpeedsModel::referenceSpeed() const {
-  const std::vector<Rational>* rates = exactRates();
-  if (m_unit.kind != SpeedUnit::Kind::ratio || rates == nullptr) return std::nullopt;
+std::optional<PiNumber> LinkSpeedsModel::referenceSpeed() const {
+  if (m_unit.kind != SpeedUnit::Kind::ratio || !hasExactRates()) return std::nullopt;
   const auto& joints = m_snapshot->mechanism->turningJoints;
   const Placement& placement = m_snapshot->kinematics->placement();
   for (std::size_t joint = 0; joint < joints.size(); ++joint) {
@@ -103,19 +112,27 @@ std::optional<Rational> LinkSpeedsModel::referenceSpeed() const {
   return std::nullopt;
 }
 
-QString LinkSpeedsModel::aboutText(int link) const {
-  const std::vector<Rational>* rates = exactRates();
-  if (rates == nullptr) return QStringLiteral("…");
+/// What slides says its unit, as nothing else in the column has one.
+QString LinkSpeedsModel::aboutText(const SpeedAboutOf<PiNumber>& about,
+                                   const std::optional<PiNumber>& reference) const {
   const Placement& placement = m_snapshot->kinematics->placement();
+  const AxisGroups::Class& group = placement.classes->classes[static_cast<std::size_t>(about.axisGroup)];
+  const bool isSlide = group.kind == JointKind::sliding;
+  const bool hasTurns = m_unit.kind == SpeedUnit::Kind::rpm;
+  QString text = speedText(about.speed, isSlide && hasTurns ? SpeedUnit() : m_unit, reference);
+  const QString axis =
+      QString::fromStdString(m_snapshot->mechanism->axes[static_cast<std::size_t>(group.axis)].id.text());
+  if (!hasSlides(*m_snapshot->mechanism)) return tr("%1 about %2").arg(text, axis);
+  const QString unit = unitOfRate(*m_snapshot->mechanism, isSlide, m_unit);
+  if (!unit.isEmpty()) text += QLatin1Char(' ') + unit;
+  return isSlide ? tr("%1 along %2").arg(text, axis) : tr("%1 about %2").arg(text, axis);
+}
+
+QString LinkSpeedsModel::aboutText(int link) const {
+  if (!hasExactRates()) return QStringLiteral("…");
   const auto reference = referenceSpeed();
   QStringList parts;
-  for (const SpeedAbout& about : speedOf(link)) {
-    const int axis = placement.classes->classes[static_cast<std::size_t>(about.axisGroup)].axis;
-    parts << tr("%1 about %2")
-                 .arg(speedText(about.speed, m_unit, reference),
-                      QString::fromStdString(
-                          m_snapshot->mechanism->axes[static_cast<std::size_t>(axis)].id.text()));
-  }
+  for (const SpeedAboutOf<PiNumber>& about : speedOf(link)) parts << aboutText(about, reference);
   return parts.isEmpty() ? tr("stands still") : parts.join(QStringLiteral(", "));
 }
 

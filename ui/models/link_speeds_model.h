@@ -37,12 +37,17 @@ class LinkSpeedsModel : public QAbstractTableModel {
                                     int role = Qt::DisplayRole) const override;
 
  private:
-  [[nodiscard]] const std::vector<Rational>* exactRates() const;
+  /// Are there exact rates, with or without powers of pi?
+  [[nodiscard]] bool hasExactRates() const;
   [[nodiscard]] int observerNode() const;
-  [[nodiscard]] std::vector<SpeedAbout> speedOf(int link) const;
+  /// @pre hasExactRates()
+  [[nodiscard]] std::vector<SpeedAboutOf<PiNumber>> absoluteOf(int link) const;
+  [[nodiscard]] std::vector<SpeedAboutOf<PiNumber>> speedOf(int link) const;
   /// The reference speed of ratios; std::nullopt if the unit is no ratio, or the reference link is at rest or
   /// turns about several axes.
-  [[nodiscard]] std::optional<Rational> referenceSpeed() const;
+  [[nodiscard]] std::optional<PiNumber> referenceSpeed() const;
+  [[nodiscard]] QString aboutText(const SpeedAboutOf<PiNumber>& about,
+                                  const std::optional<PiNumber>& reference) const;
   [[nodiscard]] QString aboutText(int link) const;
   [[nodiscard]] QString componentText(int link, int component) const;
 

@@ -17,4 +17,11 @@ QString printedFraction(const Rational& value) {
   return withPrintedMinus(QString::fromStdString(readableNumber(value)));
 }
 
+QString printedExact(const PiNumber& value) {
+  if (value.isRational()) return printedFraction(value.rational());
+  QString text = QString::fromStdString(value.toString());
+  text.replace(QStringLiteral("pi"), QStringLiteral("π")).replace(QLatin1Char('*'), QStringLiteral("·"));
+  return withPrintedMinus(text);
+}
+
 }  // namespace geargraph

@@ -87,15 +87,37 @@ QString ResultsModel::ratioText(int row) const {
   const QString names =
       QStringLiteral("i = %1 : %2").arg(jointMotion(solution()->inputs.front()), jointMotion(jointAt(row)));
   const double decimal = solution()->matrix[at(row, 0)];
-  const bool isExact =
-      m_snapshot->solved && m_snapshot->solved->exact && !m_snapshot->solved->exact->matrix.empty();
-  if (!isExact) return QStringLiteral("%1 = %2").arg(names, printedNumber(1 / decimal));
-  const Rational ratio = Rational(1) / m_snapshot->solved->exact->matrix[at(row, 0)];
-  const auto text = [](const Rational& exact) {
-    const QString fraction = printedFraction(exact);
-    return exact.isInteger() ? fraction : tr("%1 (%2)").arg(fraction, printedNumber(exact.toDouble()));
-  };
-  return QStringLiteral("%1 = %2").arg(names, text(ratio));
+  QString unit =
+      unitOfRatio(*m_snapshot->mechanism, slidesAt(solution()->inputs.front()), slidesAt(jointAt(row)));
+  if (!unit.isEmpty()) unit.prepend(QLatin1Char(' '));
+  const std::optional<PiNumber> entry = exactEntry(at(row, 0));
+  const std::optional<PiNumber> ratio = entry ? quotient(Rational(1), *entry) : std::nullopt;
+  if (!ratio) return QStringLiteral("%1 = %2").arg(names, printedNumber(1 / decimal)) + unit;
+  const bool isPlain = ratio->isRational() && ratio->rational().isInteger();
+  const QString text = printedExact(*ratio);
+  return QStringLiteral("%1 = %2").arg(
+             names, isPlain ? text : tr("%1 (%2)").arg(text, printedNumber(ratio->toDouble()))) +
+         unit;
+}
+
+std::optional<PiNumber> ResultsModel::exactEntry(std::size_t at) const {
+  if (!m_snapshot->solved) return std::nullopt;
+  const SolvedKinematics& solved = *m_snapshot->solved;
+  if (solved.exact && !solved.exact->matrix.empty()) return solved.exact->matrix[at];
+  if (solved.pi && !solved.pi->matrix.empty()) return solved.pi->matrix[at];
+  return std::nullopt;
+}
+
+std::optional<PiNumber> ResultsModel::exactRate(int joint) const {
+  if (!m_snapshot->solved) return std::nullopt;
+  const SolvedKinematics& solved = *m_snapshot->solved;
+  if (solved.exact) return solved.exact->rates[static_cast<std::size_t>(joint)];
+  if (solved.pi) return solved.pi->rates[static_cast<std::size_t>(joint)];
+  return std::nullopt;
+}
+
+bool ResultsModel::slidesAt(int joint) const {
+  return slides(m_snapshot->mechanism->turningJoints[static_cast<std::size_t>(joint)]);
 }
 
 int ResultsModel::rowCount(const QModelIndex& parent) const {
@@ -125,10 +147,7 @@ bool ResultsModel::isZero(int row, int input) const {
 QString ResultsModel::coefficient(int row, int input) const {
   if (isZero(row, input)) return QStringLiteral("0");
   if (const RationalFunction* symbol = symbolAt(row, input)) return QString::fromStdString(symbol->toText());
-  const bool exact = m_snapshot->solved && m_snapshot->solved->exact;
-  if (exact && !m_snapshot->solved->exact->matrix.empty()) {
-    return printedFraction(m_snapshot->solved->exact->matrix[at(row, input)]);
-  }
+  if (const auto exact = exactEntry(at(row, input))) return printedExact(*exact);
   if (solution()->matrix.empty()) return QStringLiteral("…");
   return printedNumber(solution()->matrix[at(row, input)]);
 }
@@ -148,23 +167,26 @@ int ResultsModel::referenceJoint() const {
 }
 
 QString ResultsModel::rateNow(int row, bool asDecimal) const {
-  const auto joint = static_cast<std::size_t>(jointAt(row));
+  const int joint = jointAt(row);
   const int reference = referenceJoint();
-  if (m_snapshot->solved && m_snapshot->solved->exact && !asDecimal) {
-    const std::vector<Rational>& rates = m_snapshot->solved->exact->rates;
-    return speedText(
-        rates[joint], m_unit,
-        reference < 0 ? std::nullopt : std::optional(rates[static_cast<std::size_t>(reference)]));
-  }
+  const SpeedUnit unit = asDecimal ? SpeedUnit() : m_unit;
+  // What slides has no turns a minute.
+  const SpeedUnit& own = slidesAt(joint) && unit.kind == SpeedUnit::Kind::rpm ? SpeedUnit() : unit;
+  QString suffix;
+  if (hasSlides(*m_snapshot->mechanism)) suffix = unitOfRate(*m_snapshot->mechanism, slidesAt(joint), unit);
+  if (!suffix.isEmpty()) suffix.prepend(QLatin1Char(' '));
+  if (const auto exact = exactRate(joint); exact && !asDecimal)
+    return speedText(*exact, own, reference < 0 ? std::nullopt : exactRate(reference)) + suffix;
   const std::vector<double>& rates = solution()->rates;
-  return speedText(rates[joint], asDecimal ? SpeedUnit() : m_unit,
-                   reference < 0 ? std::nullopt : std::optional(rates[static_cast<std::size_t>(reference)]));
+  return speedText(rates[static_cast<std::size_t>(joint)], own,
+                   reference < 0 ? std::nullopt : std::optional(rates[static_cast<std::size_t>(reference)])) +
+         suffix;
 }
 
 QString ResultsModel::headOfRates() const {
   switch (m_unit.kind) {
     case SpeedUnit::Kind::rpm:
-      return tr("rpm");
+      return hasSlides(*m_snapshot->mechanism) ? tr("now") : tr("rpm");
     case SpeedUnit::Kind::ratio: {
       const int reference = referenceJoint();
       return reference < 0 ? tr("ratio") : tr("to %1").arg(m_snapshot->graph->edgeLabel(reference));
@@ -202,6 +224,11 @@ QString ResultsModel::motionTip(int row) const {
     const QString name = QString::fromStdString(m_names.nameOf(node));
     return name.isEmpty() ? label : tr("%1 (%2)").arg(label, name);
   };
+  if (slidesAt(jointAt(row))) {
+    return tr("Speed of joint %1: link %2 slides along link %3")
+        .arg(QString::number(m_snapshot->graph->edgeLabel(jointAt(row))), whole(linkNodeAt(row)),
+             whole(tailNodeAt(row)));
+  }
   return tr("Speed of joint %1: link %2 relative to link %3")
       .arg(QString::number(m_snapshot->graph->edgeLabel(jointAt(row))), whole(linkNodeAt(row)),
            whole(tailNodeAt(row)));
@@ -218,7 +245,10 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
       if (input < 0) return rowText(row);
       return rateNow(row, false);
     case Qt::ToolTipRole:
-      if (input == inputCount()) return tr("%1 rad/s").arg(rateNow(row, true));
+      if (input == inputCount()) {
+        return hasSlides(*m_snapshot->mechanism) ? rateNow(row, true)
+                                                 : tr("%1 rad/s").arg(rateNow(row, true));
+      }
       return input < 0 ? motionTip(row) : ratioText(row);
     case ZeroRole:
       return ofInput && isZero(row, input);

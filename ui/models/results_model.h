@@ -32,7 +32,7 @@ class ResultsModel : public QAbstractTableModel {
   void setNames(const MechanismPtr& newest);
   void setSymbolic(bool symbolic);
   [[nodiscard]] bool isSymbolic() const { return m_symbolic; }
-  /// Sets the unit of the current rates; the coefficients are dimensionless.
+  /// Sets the unit of the current rates; the coefficients are dimensionless, unless a joint slides.
   void setUnit(const SpeedUnit& unit);
   /// Is the symbolic solution available?
   [[nodiscard]] bool hasSymbols() const;
@@ -74,7 +74,12 @@ class ResultsModel : public QAbstractTableModel {
   [[nodiscard]] std::size_t at(int row, int input) const;
   [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;
   [[nodiscard]] QString coefficient(int row, int input) const;
+  /// With its unit where joints slide.
   [[nodiscard]] QString rateNow(int row, bool asDecimal) const;
+  /// Of the exact solution; none where there is no such yet.
+  [[nodiscard]] std::optional<PiNumber> exactEntry(std::size_t at) const;
+  [[nodiscard]] std::optional<PiNumber> exactRate(int joint) const;
+  [[nodiscard]] bool slidesAt(int joint) const;
   /// The ordinal of the reference joint of ratios; -1: none.
   [[nodiscard]] int referenceJoint() const;
   [[nodiscard]] QString headOfRates() const;

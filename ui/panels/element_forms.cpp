@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 #include "core/mechanism/geometry_edits/axis_drag.h"
 #include "core/mechanism/geometry_edits/fitted_edits.h"
@@ -14,6 +15,8 @@
 #include "core/mechanism/geometry_edits/written_numbers.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/placement/mesh_word.h"
+#include "core/mechanism/placement/tolerance.h"
 #include "ui/document/typed_length.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/link_parts.h"
@@ -85,6 +88,42 @@ ElementId tailOf(const ElementIndex& index, const ElementId& mesh) {
 }
 ElementId headOf(const ElementIndex& index, const ElementId& mesh) {
   return index.find(MeshId(mesh.id))->head;
+}
+
+QString limitTip(bool slides, bool isLow) {
+  if (slides) {
+    return isLow ? PropertyForm::tr(
+                       "The joint slides back no farther than this from the reference pose: 0 or "
+                       "less. Empty: no limit.")
+                 : PropertyForm::tr(
+                       "The joint slides on no farther than this from the reference pose: 0 or "
+                       "more. Empty: no limit.");
+  }
+  return isLow ? PropertyForm::tr(
+                     "The joint turns back no farther than this from the reference pose, in "
+                     "degrees: 0 or less. Empty: no limit.")
+               : PropertyForm::tr(
+                     "The joint turns on no farther than this from the reference pose, in "
+                     "degrees: 0 or more. Empty: no limit.");
+}
+
+/// Why a pair of this kind does not fit between lines of which these slide; empty: it fits.
+QString slideObjection(MeshKind kind, bool tailSlides, bool headSlides, bool areAlong) {
+  const bool isThread = !pairKind(kind).hasTeeth;
+  if (!slides(kind)) {
+    return tailSlides || headSlides
+               ? PropertyForm::tr("One of its links slides: a rack or a screw fits, or turning joints.")
+               : QString();
+  }
+  if (tailSlides && headSlides)
+    return PropertyForm::tr("Both of its links slide, and one of them has to turn.");
+  if (!tailSlides && !headSlides) {
+    return PropertyForm::tr(
+        "Both of its links turn, and one of them has to slide. The form of a joint makes it a sliding one.");
+  }
+  if (isThread == areAlong) return {};
+  return isThread ? PropertyForm::tr("It does not slide along the axis of the link that turns: a rack fits.")
+                  : PropertyForm::tr("It slides along the axis of the link that turns: a screw fits.");
 }
 
 const NumberTriple kOrigin{Number(0), Number(0), Number(0)};
@@ -177,6 +216,7 @@ void LinkForm::refresh() {
 
 JointForm::JointForm(Document* document, std::vector<ElementId> joints)
     : PropertyForm(document, std::move(joints)),
+      m_jointKind(new QComboBox(this)),
       m_axis(new QComboBox(this)),
       m_point(new TripleField(QStringLiteral("axisPoint"))),
       m_direction(new TripleField(QStringLiteral("axisDirection"))),
@@ -190,6 +230,7 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
   m_axis->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_axis->setMinimumContentsLength(8);
   m_offset->setEmptyText(tr("several"));
+  addKind();
   addRow(tr("Axis"), Term::axis, m_axis);
   addRow(tr("Point"), Term::axisPoint, m_point);
   addRow(tr("Direction"), Term::axisDirection, m_direction);
@@ -259,14 +300,28 @@ void JointForm::fillAxes() {
 void JointForm::refresh() {
   const auto all = joints();
   const ElementId first = elements().front();
-  setTitle(all.size() > 1 ? tr("%1 turning joints").arg(all.size())
-                          : tr("Turning joint %1: %2 → %3")
-                                .arg(label(first), label(all.front()->tail), label(all.front()->head)));
+  const auto kind = shared(all, [](const TurningJoint& joint) { return joint.kind; });
+  const bool allSlide = kind == JointKind::sliding;
+  const QString one = allSlide ? tr("Sliding joint %1: %2 → %3") : tr("Turning joint %1: %2 → %3");
+  const QString several = !kind      ? tr("%1 joints")
+                          : allSlide ? tr("%1 sliding joints")
+                                     : tr("%1 turning joints");
+  setTitle(all.size() > 1 ? several.arg(all.size())
+                          : one.arg(label(first), label(all.front()->tail), label(all.front()->head)));
+  m_jointKind->setCurrentIndex(!kind ? -1 : (allSlide ? 1 : 0));
   refreshAxes(all);
+  const QString unit = QString::fromStdString(mechanism().unit);
+  setRowShown(m_limits, kind.has_value(), allSlide ? tr("Limits, %1").arg(unit) : tr("Limits, deg"));
+  for (NumberField* field : {m_low, m_high})
+    field->setLengthUnit(allSlide ? std::optional(mechanism().unit) : std::nullopt);
   m_offset->setLengthUnit(mechanism().unit);
   m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
   showLimit(*m_low, shared(all, [](const TurningJoint& joint) { return joint.limits.low; }));
   showLimit(*m_high, shared(all, [](const TurningJoint& joint) { return joint.limits.high; }));
+  const bool isLow = true;
+  for (const auto& [field, ofLow] : {std::pair(m_low, isLow), std::pair(m_high, !isLow)}) {
+    if (!field->property("wrong").toBool()) field->setToolTip(limitTip(allSlide, ofLow));
+  }
 }
 
 void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {
@@ -411,8 +466,43 @@ void MeshForm::refresh() {
   const QSignalBlocker quiet(m_kind);
   m_kind->setPlaceholderText(tr("several"));
   m_kind->setCurrentIndex(!kind ? -1 : (*kind ? static_cast<int>(**kind) + 1 : 0));
+  refreshKinds();
   refreshGeometry(all);
   refreshHelix(all);
+}
+
+void MeshForm::refreshKinds() {
+  auto* const items = qobject_cast<QStandardItemModel*>(m_kind->model());
+  const auto all = meshes();
+  QStringList objections(m_kind->count());
+  const bool isSmall = mechanism().c() <= kMaxFittedMeshes;
+  if (all.size() == 1 && isSmall && placed().placement().tree && placed().placement().classes) {
+    const Placement& placement = placed().placement();
+    const auto mesh = static_cast<std::size_t>(all.front() - mechanism().gearMeshes.data());
+    const DigraphEdge& ends = placement.tree->meshes[mesh];
+    AxisGroupPath path;
+    path.walk(*placement.classes, ends.tail, ends.head);
+    if (path.classes().size() >= 2) {
+      const AxisGroupOrdinal tail = path.classes().front();
+      const AxisGroupOrdinal head = path.classes().back();
+      const auto isSlide = [&](AxisGroupOrdinal of) {
+        return placement.classes->classes[static_cast<std::size_t>(of)].kind == JointKind::sliding;
+      };
+      const bool areAlong =
+          areParallel(placement.lineOfClass(tail).direction, placement.lineOfClass(head).direction);
+      for (int i = 1; i < m_kind->count(); ++i) {
+        const MeshKind kind = meshKinds()[static_cast<std::size_t>(i) - 1];
+        objections[i] = slideObjection(kind, isSlide(tail), isSlide(head), areAlong);
+      }
+    }
+  }
+  for (int i = 1; i < m_kind->count(); ++i) {
+    QStandardItem* const item = items->item(i);
+    if (item->isEnabled() != objections[i].isEmpty()) item->setEnabled(objections[i].isEmpty());
+    const QString tip =
+        objections[i].isEmpty() ? axesTip(meshKinds()[static_cast<std::size_t>(i) - 1]) : objections[i];
+    if (item->toolTip() != tip) item->setToolTip(tip);
+  }
 }
 
 void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {

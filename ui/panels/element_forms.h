@@ -53,6 +53,7 @@ class JointForm : public PropertyForm {
   [[nodiscard]] std::vector<const TurningJoint*> joints() const;
   /// Sets component `index` of the points or directions of the joints' axes.
   void placeAxes(int index, const std::optional<Number>& number, bool ofPoint);
+  void addKind();
   void chooseAxis(int item);
   void fillAxes();
   void refreshAxes(const std::vector<const TurningJoint*>& joints);
@@ -62,12 +63,14 @@ class JointForm : public PropertyForm {
   /// Outer std::nullopt: the joints differ; inner: none has a limit.
   static void showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit);
 
+  QComboBox* m_jointKind;
   QComboBox* m_axis;
   TripleField* m_point;
   TripleField* m_direction;
   NumberField* m_offset;
-  NumberField* m_low;  ///< limits, degrees
+  NumberField* m_low;  ///< limits, degrees or lengths
   NumberField* m_high;
+  QWidget* m_limits = nullptr;  ///< both
   QCheckBox* m_pin;
 };
 
@@ -94,6 +97,9 @@ class MeshForm : public PropertyForm {
   TeethSlider* m_tailSlider;
   TeethSlider* m_headSlider;
   std::optional<PlacedMechanism> m_slidFrom;  ///< state at the start of a slider drag
+  /// Disables the kinds that the joints of the only mesh's links rule out, with the reason.
+  void refreshKinds();
+
   QComboBox* m_kind;
   NumberField* m_module;
   QWidget* m_helixRow;

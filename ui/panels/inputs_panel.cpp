@@ -16,6 +16,7 @@
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/matroid/input_roles.h"
 #include "ui/models/link_text.h"
+#include "ui/models/speed_unit.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/engagement_edits.h"
 #include "ui/panels/number_field.h"
@@ -34,7 +35,7 @@ constexpr std::size_t kRowsAtOnce = 30;
 /// With more of them every change of the list holds the window.
 constexpr std::size_t kMaxRows = 90;
 
-/// rad/s at the ends of a slider that is made for this speed.
+/// rad/s, or lengths a second, at the ends of a slider that is made for this speed.
 int rangeFor(const Number& speed) {
   return std::max(2, static_cast<int>(std::min(1e6, std::ceil(2 * std::abs(speed.value())))));
 }
@@ -99,7 +100,7 @@ std::string InputsPanel::titleOf(JointId joint) const {
   std::string title = index.labelOf(joint).value();
   for (const LinkId link : {turning.head, turning.tail})
     title += ' ' + index.labelOf(link).value() + ' ' + index.find(link)->name;
-  return title;
+  return title + ' ' + unitOfRate(*m_document->mechanism(), slides(turning)).toStdString();
 }
 
 /// Rows of the former document stay where joints have the same ids, and sliders the range of the speeds.
@@ -192,10 +193,10 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   row.field->setFixedWidth(76);
   row.field->setStep(Rational(1, 10));
   row.field->setAlignment(Qt::AlignCenter);
-  auto* unit = new QLabel(tr("rad/s"), m_list);
-  unit->setProperty("look", "hint");
+  row.unit = new QLabel(m_list);
+  row.unit->setProperty("look", "hint");
   row.exchange = makeExchange(input.joint);
-  row.widgets = {row.dot, row.name, row.slider, row.field, unit, row.exchange};
+  row.widgets = {row.dot, row.name, row.slider, row.field, row.unit, row.exchange};
   int column = 0;
   for (QWidget* widget : row.widgets) {
     m_grid->addWidget(widget, line, column++);
@@ -233,10 +234,19 @@ void InputsPanel::showTitle(const Row& row) {
       linkDot(m_document->mechanism()->view.colorNumber(joint.head, head.toInt()), devicePixelRatioF()));
   row.dot->setAccessibleName(tr("Colour of link %1").arg(head));
   row.name->setRate(jointLabel, words);
+  const QString meaning = slides(joint)
+                              ? tr("Speed of joint %1: how fast %2 slides along %3. Positive: in the "
+                                   "direction of the axis.")
+                              : tr("Speed of joint %1: how fast %2 turns relative to %3. Positive: "
+                                   "about the direction of the axis, by the right-hand rule.");
   row.name->setToolTip(
-      tr("Speed of joint %1: how fast %2 turns relative to %3. Positive: about the "
-         "direction of the axis, by the right-hand rule.")
-          .arg(jointLabel, linkText(head, headName), linkText(tail, index.find(joint.tail)->name)));
+      meaning.arg(jointLabel, linkText(head, headName), linkText(tail, index.find(joint.tail)->name)));
+  row.unit->setText(unitOfRate(*m_document->mechanism(), slides(joint)));
+  if (slides(joint)) {
+    row.field->setLengthRate(m_document->mechanism()->unit);
+  } else {
+    row.field->setLengthUnit(std::nullopt);
+  }
   row.slider->setObjectName(QStringLiteral("slider.") + jointLabel);
   row.slider->setAccessibleName(tr("Speed of joint %1, %2").arg(jointLabel, words));
   row.field->setObjectName(QStringLiteral("speed.") + jointLabel);

@@ -43,8 +43,9 @@ class InputsPanel : public QWidget {
     RateLabel* name = nullptr;
     SpeedSlider* slider = nullptr;
     NumberField* field = nullptr;
+    QLabel* unit = nullptr;
     QToolButton* exchange = nullptr;
-    int range = 2;  ///< rad/s at the ends of the slider
+    int range = 2;  ///< rad/s, of what slides lengths a second, at the ends of the slider
   };
 
   void startAnew();
@@ -52,7 +53,8 @@ class InputsPanel : public QWidget {
   /// From the first on.
   void removeRows(std::size_t first);
   Row makeRow(const Input& input, int line);
-  /// "8 4 sun 0 ground": the labels of the joint and of the links that it joins, with their names.
+  /// "8 4 sun 0 ground": the labels of the joint and of the links that it joins, with their names; the unit
+  /// of its speed.
   [[nodiscard]] std::string titleOf(JointId joint) const;
   void showTitle(const Row& row);
   void showSpeed(Row& row, const Number& speed);

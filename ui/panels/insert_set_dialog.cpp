@@ -14,6 +14,7 @@
 #include "core/design/synthesis/reverted_train.h"
 #include "core/design/synthesis/shifting_sets.h"
 #include "ui/models/minus_sign.h"
+#include "ui/models/printed_number.h"
 #include "ui/panels/set_forms.h"
 #include "ui/panels/set_preview.h"
 #include "ui/theme/application_theme.h"
@@ -93,6 +94,21 @@ SetForm* beltForm() {
                        });
 }
 
+SetForm* rackForm() {
+  return new LengthsForm({{InsertSetDialog::tr("Travel a turn, about"), "travel", RackDrive().travel},
+                          {InsertSetDialog::tr("Module"), "rackModule", RackDrive().module}},
+                         false, [](const std::vector<Number>& lengths, Hand) {
+                           return rackDrive({lengths[0], lengths[1]});
+                         });
+}
+
+SetForm* screwForm() {
+  return new LengthsForm({{InsertSetDialog::tr("Lead, advance of a turn"), "lead", ScrewDrive().lead}}, true,
+                         [](const std::vector<Number>& lengths, Hand hand) {
+                           return screwDrive({lengths[0], hand});
+                         });
+}
+
 SetForm* strainWaveForm() {
   return new TeethForm({{InsertSetDialog::tr("Flexspline"), "flexspline", 200},
                         {InsertSetDialog::tr("Circular spline"), "circularSpline", 202}},
@@ -147,6 +163,8 @@ std::vector<InsertableSet> insertableSets() {
        [] {
          return beltStage({20, 40});
        }},
+      {"rack", InsertSetDialog::tr("Rack drive"), &rackForm, [] { return rackDrive({}); }},
+      {"screw", InsertSetDialog::tr("Screw drive"), &screwForm, [] { return screwDrive({}); }},
       {"strainWave", InsertSetDialog::tr("Strain wave drive"), &strainWaveForm,
        [] { return strainWave(200, 202); }},
       {"cycloidal", InsertSetDialog::tr("Cycloidal drive"), &cycloidalForm,
@@ -280,9 +298,13 @@ void InsertSetDialog::renew() {
     text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());
   if (const auto ratio = ratioOfSet(*set)) {
     const auto name = [&](LinkOrdinal link) { return shownText(set->links[link].name); };
-    const QString turns = withMinusSign(ratio->speed.toString());
-    text += '\n' +
-            tr("One turn of \"%1\" turns \"%2\" by %3.").arg(name(ratio->input), name(ratio->output), turns);
+    const PiNumber ofTurn = ratio->ofTurn();
+    QString moved = ratio->slides ? printedExact(ofTurn) : withMinusSign(ofTurn.toString());
+    if (ratio->slides) moved += QLatin1Char(' ') + QString::fromStdString(set->unit);
+    if (!ofTurn.isRational()) moved = tr("%1 (%2)").arg(moved, printedNumber(ofTurn.toDouble()));
+    const QString words = ratio->slides ? tr("One turn of \"%1\" moves \"%2\" by %3.")
+                                        : tr("One turn of \"%1\" turns \"%2\" by %3.");
+    text += '\n' + words.arg(name(ratio->input), name(ratio->output), moved);
   }
   m_summary->setText(text);
   m_preview->setMechanism(*set);

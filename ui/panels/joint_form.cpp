@@ -5,6 +5,7 @@
 
 #include "core/mechanism/model/axis_letters.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/slide_edits.h"
 #include "ui/models/axis_choices.h"
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
@@ -32,20 +33,34 @@ QPushButton* JointForm::makeLayButton() {
   return button;
 }
 
-/// Two angles in degrees from the reference pose, side by side; an empty field is an open end.
+void JointForm::addKind() {
+  m_jointKind->setObjectName(QStringLiteral("jointKind"));
+  m_jointKind->addItem(tr("turning"));
+  m_jointKind->setItemData(0, tr("The head turns about the axis, against the tail."), Qt::ToolTipRole);
+  m_jointKind->addItem(tr("sliding"));
+  m_jointKind->setItemData(1, tr("The head slides along the axis, against the tail."), Qt::ToolTipRole);
+  m_jointKind->setPlaceholderText(tr("several"));
+  addRow(tr("Kind"), Term::turningJoint, m_jointKind);
+  connect(m_jointKind, &QComboBox::activated, this, [this](int item) {
+    newGesture();
+    const JointKind kind = item == 1 ? JointKind::sliding : JointKind::turning;
+    apply(tr("Change kind of joint"), [kind](Mechanism before, const ElementId& joint) {
+      return withJointKind(std::move(before), JointId(joint.id), kind);
+    });
+  });
+}
+
+/// Two angles in degrees, or places of what slides, from the reference pose, side by side; an empty field is
+/// an open end.
 void JointForm::addLimits() {
-  auto* both = new QWidget(this);
-  auto* row = new QHBoxLayout(both);
+  m_limits = new QWidget(this);
+  auto* row = new QHBoxLayout(m_limits);
   row->setContentsMargins(0, 0, 0, 0);
   for (NumberField* field : {m_low, m_high}) {
     const bool isLow = field == m_low;
     field->setOptional(true);
     field->setQuantity(Quantity::angle);
     field->setStep(Rational(5));
-    field->setToolTip(isLow ? tr("The joint turns back no farther than this from the reference pose, in "
-                                 "degrees: 0 or less. Empty: no limit.")
-                            : tr("The joint turns on no farther than this from the reference pose, in "
-                                 "degrees: 0 or more. Empty: no limit."));
     row->addWidget(field);
     connect(field, &NumberField::edited, this, [this, isLow](const std::optional<Number>& number) {
       apply(tr("Limit joint"), [number, isLow](Mechanism before, const ElementId& joint) {
@@ -55,7 +70,7 @@ void JointForm::addLimits() {
       });
     });
   }
-  addRow(tr("Limits, deg"), Term::jointLimits, both);
+  addRow(tr("Limits, deg"), Term::jointLimits, m_limits);
 }
 
 void JointForm::chooseAxis(int item) {

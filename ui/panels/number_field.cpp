@@ -8,6 +8,8 @@
 #include <QStyle>
 #include <QStyleOptionSpinBox>
 #include <QWheelEvent>
+#include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "core/foundations/base/locale.h"
@@ -40,8 +42,15 @@ void NumberField::setWhole(int least, int most) {
   m_most = most;
 }
 
-void NumberField::setLengthUnit(const std::string& unit) {
+void NumberField::setLengthUnit(const std::optional<std::string>& unit) {
   m_unit = unit;
+  m_isRate = false;
+  if (!property("wrong").toBool()) setToolTip(hint());
+}
+
+void NumberField::setLengthRate(const std::string& unit) {
+  setLengthUnit(unit);
+  m_isRate = true;
   if (!property("wrong").toBool()) setToolTip(hint());
 }
 
@@ -56,8 +65,25 @@ void NumberField::setEmptyText(const QString& text) {
 
 QString NumberField::hint() const {
   if (!m_unit) return {};
+  if (m_isRate) {
+    return tr("In %1/s; a speed with another unit, such as 2 m/s or 30 in/min, is converted.")
+        .arg(QString::fromStdString(*m_unit).toHtmlEscaped());
+  }
   return tr("In %1; a length with another unit, such as 1/2 in or 2.5 cm, is converted.")
       .arg(QString::fromStdString(*m_unit).toHtmlEscaped());
+}
+
+/// A length with or without "/s" or "/min" behind it.
+std::optional<Number> NumberField::readRate(const std::string& typed) const {
+  for (const auto& [ending, seconds] : {std::pair("/s", 1), std::pair("/min", 60)}) {
+    const std::string_view end(ending);
+    if (!typed.ends_with(end)) continue;
+    const std::string length = typed.substr(0, typed.size() - end.size());
+    if (length.empty() || !std::isalpha(static_cast<unsigned char>(length.back()))) continue;
+    const auto number = lengthFromText(length, *m_unit);
+    return number && seconds != 1 ? Number(number->exact() / Rational(seconds)) : number;
+  }
+  return lengthFromText(typed, *m_unit);
 }
 
 std::optional<Number> NumberField::read(const QString& text) const {
@@ -67,7 +93,7 @@ std::optional<Number> NumberField::read(const QString& text) const {
   const bool isDecimal = QLocale().decimalPoint() == QLatin1String(",") || !kGrouped.match(point).hasMatch();
   if (isDecimal && !point.contains(QLatin1Char('.'))) point.replace(QLatin1Char(','), QLatin1Char('.'));
   const std::string typed = point.toStdString();
-  if (m_unit) return lengthFromText(typed, *m_unit);
+  if (m_unit) return m_isRate ? readRate(typed) : lengthFromText(typed, *m_unit);
   if (auto number = typedNumber(typed)) return number;
   const auto quantity = withUnitFromText(typed, m_quantity);
   return quantity && m_shownIn != Rational(1) ? Number(quantity->exact() / m_shownIn) : quantity;
@@ -105,6 +131,7 @@ QString NumberField::objectionTo(const std::optional<Number>& number) const {
     return fits ? QString() : tr("Type a whole number from %1 to %2.").arg(*m_least).arg(*m_most);
   }
   if (number) return {};
+  if (m_isRate) return tr("Type a speed such as 12, 2*3, 2 m/s or 30 in/min.");
   if (m_unit) return tr("Type a number such as 12, 0.5, 22/7 or 2*3, or a length such as 1/2 in.");
   switch (m_quantity) {
     case Quantity::number:

@@ -33,7 +33,10 @@ class NumberField : public QAbstractSpinBox {
   void setWhole(int least, int most);
   /// Makes the field a length in this unit; lengths in other units may be typed and are converted
   /// (lengthFromText()).
-  void setLengthUnit(const std::string& unit);
+  /// None: it is no length again.
+  void setLengthUnit(const std::optional<std::string>& unit);
+  /// The same for a speed in such lengths a second: "2 m/s", "30 mm/min" are converted.
+  void setLengthRate(const std::string& unit);
   /// Makes the field a quantity; one that is typed with a unit is converted (quantityFromText()). `shownIn`:
   /// the unit of the field's numbers, in that of the quantity.
   void setQuantity(Quantity quantity, const Rational& shownIn = 1);
@@ -104,6 +107,8 @@ class NumberField : public QAbstractSpinBox {
   std::optional<int> m_least;
   std::optional<int> m_most;
   std::optional<std::string> m_unit;  ///< of a length
+  bool m_isRate = false;              ///< it is a length a second
+  [[nodiscard]] std::optional<Number> readRate(const std::string& typed) const;
   Quantity m_quantity = Quantity::number;
   Rational m_shownIn = 1;
   bool m_optional = false;

@@ -189,6 +189,7 @@ void ResultsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   }
   m_model->setSnapshot(snapshot);
   if (m_absolute) m_linkModel->setSnapshot(snapshot);
+  showUnit();
   renew();
 }
 
@@ -240,9 +241,13 @@ void ResultsPanel::updateNote() {
     for (int i = 0; i < std::min(m_model->inputCount(), kMaxNamed); ++i)
       joints << m_model->headerData(i + 1, Qt::Horizontal).toString();
     if (m_model->inputCount() > kMaxNamed) joints << tr("… (%1 in all)").arg(m_model->inputCount());
-    note = tr("No joint is driven: %1 as input, at 1 rad/s each.")
-               .arg(joints.size() == 1 ? tr("joint %1").arg(joints.first())
-                                       : tr("the set of joints %1").arg(joints.join(QStringLiteral(", "))));
+    const QString set = joints.size() == 1
+                            ? tr("joint %1").arg(joints.first())
+                            : tr("the set of joints %1").arg(joints.join(QStringLiteral(", ")));
+    note = hasSlides(*m_snapshot->mechanism)
+               ? tr("No joint is driven: %1 as input, at 1 rad/s or %2 each.")
+                     .arg(set, QStringLiteral("1 ") + unitOfRate(*m_snapshot->mechanism, true))
+               : tr("No joint is driven: %1 as input, at 1 rad/s each.").arg(set);
   }
   m_note->setText(note);
   m_note->setVisible(!note.isEmpty());

@@ -23,7 +23,8 @@ class QToolButton;
 namespace geargraph {
 
 /// The solution: the rates of all other joints for one unit of each input, their current rates, and whether
-/// both methods agree; or the absolute velocities of the links. Speeds in rad/s, rpm or as ratios.
+/// both methods agree; or the absolute velocities of the links. Speeds in rad/s, rpm or as ratios, of what
+/// slides in lengths a second.
 class ResultsPanel : public QWidget {
   Q_OBJECT
 
@@ -42,6 +43,7 @@ class ResultsPanel : public QWidget {
   /// Shows the velocities of the links relative to this one.
   void setObserver(LinkId observer);
   void setUnit(const SpeedUnit& unit);
+  void showUnit();
   /// While not awake (behind another panel) the panel takes results but updates its layout only when visible
   /// again.
   void setAwake(bool awake);
@@ -93,6 +95,7 @@ class ResultsPanel : public QWidget {
   QTableView* m_links;
   QToolButton* m_frame;
   QToolButton* m_unit;
+  SpeedUnit m_unitShown;
   QToolButton* m_motors;
   LinkNames m_names;
   MechanismPtr m_newest;  ///< document that names are taken from

@@ -129,11 +129,22 @@ void ResultsPanel::fillFrames(QMenu& menu) {
 void ResultsPanel::setUnit(const SpeedUnit& unit) {
   m_model->setUnit(unit);
   m_linkModel->setUnit(unit);
-  QString text = unit.kind == SpeedUnit::Kind::rpm ? tr("rpm") : tr("rad/s");
-  if (unit.kind == SpeedUnit::Kind::ratio && m_snapshot)
-    text = tr("ratio to %1").arg(shownText(labelOf(*m_snapshot->mechanism, unit.reference).value_or("?")));
-  m_unit->setText(text + QStringLiteral(" ▾"));
+  m_unitShown = unit;
+  showUnit();
   renew();
+}
+
+/// Beside the unit of what turns that of what slides, where something does.
+void ResultsPanel::showUnit() {
+  const SpeedUnit& unit = m_unitShown;
+  QString text = unit.kind == SpeedUnit::Kind::rpm ? tr("rpm") : tr("rad/s");
+  if (unit.kind == SpeedUnit::Kind::ratio && m_snapshot) {
+    text = tr("ratio to %1").arg(shownText(labelOf(*m_snapshot->mechanism, unit.reference).value_or("?")));
+  } else if (m_snapshot && hasSlides(*m_snapshot->mechanism)) {
+    text += QStringLiteral(", ") + unitOfRate(*m_snapshot->mechanism, true);
+  }
+  text += QStringLiteral(" ▾");
+  if (text != m_unit->text()) m_unit->setText(text);
 }
 
 void ResultsPanel::fillUnits(QMenu& menu) {

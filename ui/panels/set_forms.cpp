@@ -68,6 +68,36 @@ Expected<Mechanism> TeethForm::set() const {
   return m_make(counts);
 }
 
+LengthsForm::LengthsForm(const std::vector<Length>& lengths, bool hasHand, Make make, QWidget* parent)
+    : SetForm(parent), m_make(std::move(make)) {
+  for (const Length& length : lengths) {
+    auto* field = new NumberField(this);
+    field->setObjectName(QLatin1String(length.name));
+    field->setLengthUnit(emptyMechanism().unit);
+    field->setNumber(length.value);
+    field->setMaximumWidth(90);
+    connect(field, &NumberField::edited, this, [this, field](const std::optional<Number>& number) {
+      if (!number) return;
+      field->setNumber(number);
+      emit changed();
+    });
+    form().addRow(length.label, field);
+    m_fields.push_back(field);
+  }
+  if (!hasHand) return;
+  m_hand = new QComboBox(this);
+  m_hand->setObjectName(QStringLiteral("threadHand"));
+  for (const Hand hand : {Hand::right, Hand::left}) m_hand->addItem(QString::fromStdString(handWord(hand)));
+  connect(m_hand, &QComboBox::activated, this, &SetForm::changed);
+  form().addRow(tr("Hand of the thread"), m_hand);
+}
+
+Expected<Mechanism> LengthsForm::set() const {
+  std::vector<Number> lengths;
+  for (const NumberField* field : m_fields) lengths.push_back(*field->number());
+  return m_make(lengths, m_hand != nullptr && m_hand->currentIndex() == 1 ? Hand::left : Hand::right);
+}
+
 ChoiceForm::ChoiceForm(const QStringList& teethHeads, const Rational& ratio, QWidget* parent)
     : SetForm(parent), m_ratio(new NumberField(this)), m_table(new QTableWidget(this)) {
   m_ratio->setObjectName(QStringLiteral("wishedRatio"));

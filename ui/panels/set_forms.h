@@ -60,6 +60,27 @@ class TeethForm : public SetForm {
   Make m_make;
 };
 
+/// A form for drives that are given by lengths, and by a hand where they have one.
+class LengthsForm : public SetForm {
+  Q_OBJECT
+
+ public:
+  struct Length {
+    QString label;
+    const char* name;
+    Number value;
+  };
+  using Make = std::function<Expected<Mechanism>(const std::vector<Number>&, Hand)>;
+
+  LengthsForm(const std::vector<Length>& lengths, bool hasHand, Make make, QWidget* parent = nullptr);
+  [[nodiscard]] Expected<Mechanism> set() const override;
+
+ private:
+  std::vector<NumberField*> m_fields;
+  QComboBox* m_hand = nullptr;
+  Make m_make;
+};
+
 /// A form for sets with a required ratio: lists the best numbers of teeth, of which the user chooses one.
 class ChoiceForm : public SetForm {
   Q_OBJECT

@@ -14,6 +14,7 @@ namespace geargraph {
 namespace {
 
 constexpr double kSpanWithoutPeriod = 60;  // s
+constexpr int kSheets = 3;                 // at most: what turns, what slides, traced points
 
 }  // namespace
 
@@ -62,7 +63,7 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
   whole->addLayout(sheets, 1);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < kSheets; ++i) {
     auto* plot = new MotionPlot(this);
     plot->setObjectName(QStringLiteral("motionPlot%1").arg(i));
     plot->hide();

@@ -265,7 +265,8 @@ void Viewer::clearTraces() {
 // The pointer's way along the circle of the held point, as the picture shows it, is the angle; where the
 // circle is seen from its edge, a small part of its radius stands for it, so that the part does not spin
 // away.
-/// rad/s that the part turns by as the inputs run, against what carries it.
+/// rad/s that the part turns by, or lengths a second that it slides by, as the inputs run, against what
+/// carries it.
 double Viewer::rateOf(std::size_t instance) const {
   const SceneHandle& handle = m_stage->handles[instance];
   double rate = 0;
@@ -278,13 +279,14 @@ Pose Viewer::displacementOf(std::size_t instance) const {
   return m_seen.poses[instance] * m_stage->scene.instances[instance].pose.inverse();
 }
 
-/// How far the part turns so that the held point follows the pointer as nearly as it can; none where that
-/// cannot be told.
+/// How far the part turns or slides so that the held point follows the pointer as nearly as it can; none
+/// where that cannot be told.
 std::optional<double> Viewer::angleOf(const Hit& held, const QPointF& step) const {
   const SceneHandle& handle = m_stage->handles[held.instance];
   const Pose before = displacementOf(held.instance);
   const Eigen::Vector3d axis = before.linear() * handle.direction, origin = before * handle.point;
-  const Eigen::Vector3d along = axis.cross(held.point - origin);  // of the held point, a rad
+  // Of the held point, a rad or a length.
+  const Eigen::Vector3d along = handle.slides ? axis : axis.cross(held.point - origin);
   const double pixels = 1 / m_view.camera.millimetresPerPixel(m_viewport);
   const Eigen::Vector2d seen =
       pixels * Eigen::Vector2d(along.dot(m_view.camera.right()), -along.dot(m_view.camera.up()));

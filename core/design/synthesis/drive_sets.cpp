@@ -1,10 +1,13 @@
 #include "core/design/synthesis/drive_sets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "core/design/synthesis/set_sketch.h"
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/translation.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -15,6 +18,13 @@ Diagnostics driveRejection(Detail detail, std::string message) {
   Diagnostic why;
   why.code = codeOf(detail);
   why.detail = detail;
+  why.message = std::move(message);
+  return {why};
+}
+
+Diagnostics driveRejection(Code code, std::string message) {
+  Diagnostic why;
+  why.code = code;
   why.message = std::move(message);
   return {why};
 }
@@ -140,34 +150,72 @@ Expected<Mechanism> rvReducer(int sunTeeth, int planetTeeth, int pins) {
   return std::move(set).build();
 }
 
+Expected<Mechanism> rackDrive(const RackDrive& drive) {
+  if (drive.module.value() <= 0 || drive.travel.value() <= 0)
+    return driveRejection(Code::schema, translated("Travel and module of a rack are above 0."));
+  const double wanted = drive.travel.value() / (std::numbers::pi * drive.module.value());
+  if (wanted < kFewestPinionTeeth - 0.5 || wanted >= kMostPinionTeeth + 0.5) {
+    return driveRejection(
+        Detail::teethAgainstRadii,
+        translated(
+            "A pinion of this module has %1 teeth for this travel a turn, and %2 to %3 fit.",
+            {readableNumber(wanted), std::to_string(kFewestPinionTeeth), std::to_string(kMostPinionTeeth)}));
+  }
+  const int teeth = static_cast<int>(std::lround(wanted));
+  SetSketch set(translated("Rack drive"));
+  const Rational radius = drive.module.exact() * Rational(teeth, 2);
+  set.axis("a", aside(Number(0)), kAlongZ);
+  set.axis("b", {Number(0), Number(radius), Number(0)}, aside(Number(1)));
+  const LinkOrdinal pinion = set.link(0, "a", translated("pinion"));
+  const LinkOrdinal rack = set.slidingLink(0, "b", translated("rack"));
+  set.mesh(pinion, rack, teeth, 2 * teeth, MeshKind::rack).module = drive.module;
+  set.input(pinion, Number(1));
+  return std::move(set).build();
+}
+
+Expected<Mechanism> screwDrive(const ScrewDrive& drive) {
+  if (drive.lead.value() <= 0)
+    return driveRejection(Code::schema, translated("The lead of a screw is above 0."));
+  SetSketch set(translated("Screw drive"));
+  set.axis("a", aside(Number(0)), kAlongZ);
+  const LinkOrdinal screw = set.link(0, "a", translated("screw"));
+  const LinkOrdinal nut = set.slidingLink(0, "a", translated("nut"));
+  GearMesh& mesh = set.mesh(screw, nut, 1, 1, MeshKind::screw);
+  mesh.lead = drive.lead;
+  if (drive.hand == Hand::left) mesh.hand = Hand::left;
+  set.input(screw, Number(1));
+  return std::move(set).build();
+}
+
 std::optional<SetRatio> ratioOfSet(const Mechanism& set) {
   if (!set.inputs || set.inputs->size() != 1) return std::nullopt;
   const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(set));
   const MatroidAnalysis* matroid = snapshot->matroid();
   if (matroid == nullptr || !matroid->solution || hasErrors(snapshot->diagnostics)) return std::nullopt;
   const SolvedKinematicsPtr solved = solvedKinematics(set, *snapshot->kinematics, {.symbolic = false});
-  if (!solved->exact) return std::nullopt;
+  if (!solved->exact && !solved->pi) return std::nullopt;
   SetRatio ratio;
   const auto linkOf = [&](LinkId id) {
     const auto found =
         std::find_if(set.links.begin(), set.links.end(), [&](const Link& link) { return link.id == id; });
     return static_cast<LinkOrdinal>(found - set.links.begin());
   };
-  Rational inputSpeed = 0;
+  PiNumber inputSpeed;
   for (JointOrdinal joint = 0; joint < set.t(); ++joint) {
     const TurningJoint& drawn = set.turningJoints[joint];
     if (drawn.tail != set.links.front().id) continue;
-    const Rational speed = solved->exact->rates[joint];
+    const PiNumber speed = solved->exact ? PiNumber(solved->exact->rates[joint]) : solved->pi->rates[joint];
     if (drawn.id == set.inputs->front().joint) {
       ratio.input = linkOf(drawn.head);
       inputSpeed = speed;
     } else if (!speed.isZero()) {
       ratio.output = linkOf(drawn.head);
       ratio.speed = speed;
+      ratio.slides = slides(drawn);
     }
   }
-  if (inputSpeed.isZero() || int{ratio.output} == 0) return std::nullopt;
-  ratio.speed = ratio.speed / inputSpeed;
+  if (!inputSpeed.isRational() || inputSpeed.isZero() || int{ratio.output} == 0) return std::nullopt;
+  ratio.speed *= Rational(1) / inputSpeed.rational();
   return ratio;
 }
 

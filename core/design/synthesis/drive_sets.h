@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/foundations/base/expected.h"
+#include "core/foundations/exact/pi_number.h"
 #include "core/mechanism/kinds/hand.h"
 #include "core/mechanism/model/mechanism.h"
 
@@ -50,11 +51,35 @@ struct BeltStage {
 /// lobes; the output is link 5. w_1 / w_5 = 1 + planet / sun * pins. Rejected: as cycloidalDrive().
 [[nodiscard]] Expected<Mechanism> rvReducer(int sunTeeth, int planetTeeth, int pins);
 
-/// How the links on the ground turn for one turn of the only input, where the set as it stands decides that.
+struct RackDrive {
+  Number travel = Number(125);  ///< wanted, of a turn of the pinion, in the document's unit
+  Number module = Number(2);    ///< of the rack, along its motion
+};
+constexpr int kFewestPinionTeeth = 6;
+constexpr int kMostPinionTeeth = 400;
+/// Pinion 1 and rack 2, which slides on the ground: the pinion with the whole number of teeth whose travel a
+/// turn, teeth times pi times the module, is nearest to the wanted one. Rejected: schema, where the module or
+/// the travel is not above 0; teeth-geometry, where the pinion would have fewer than kFewestPinionTeeth or
+/// more than kMostPinionTeeth.
+[[nodiscard]] Expected<Mechanism> rackDrive(const RackDrive& drive);
+
+struct ScrewDrive {
+  Number lead = Number(5);  ///< advance of a turn, in the document's unit
+  Hand hand = Hand::right;
+};
+/// Screw 1 and nut 2, which slides on the ground: v_2 / w_1 is lead / (2 pi), against the screw's sense where
+/// it is right-hand. Rejected: schema, where the lead is not above 0.
+[[nodiscard]] Expected<Mechanism> screwDrive(const ScrewDrive& drive);
+
+/// How the links on the ground move for one turn of the only input, where the set as it stands decides that.
 struct SetRatio {
   LinkOrdinal input = 0;
   LinkOrdinal output = 0;
-  Rational speed = 0;  ///< w_output / w_input, with its sign
+  PiNumber speed;       ///< of the output over that of the input, with its sign
+  bool slides = false;  ///< of the output: its speed is a travel a radian, in the document's unit
+
+  /// Turns of the output for one of the input, or its travel.
+  [[nodiscard]] PiNumber ofTurn() const { return slides ? speed * PiNumber(2, 1) : speed; }
 };
 [[nodiscard]] std::optional<SetRatio> ratioOfSet(const Mechanism& set);
 

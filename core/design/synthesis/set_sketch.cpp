@@ -26,6 +26,12 @@ LinkOrdinal SetSketch::link(LinkOrdinal parent, const std::string& axis, std::st
   return number;
 }
 
+LinkOrdinal SetSketch::slidingLink(LinkOrdinal parent, const std::string& axis, std::string name) {
+  const LinkOrdinal number = link(parent, axis, std::move(name));
+  m_mechanism.turningJoints.back().kind = JointKind::sliding;
+  return number;
+}
+
 void SetSketch::bearing(LinkOrdinal link, std::int64_t offset) {
   m_mechanism.turningJoints[link - 1].offset = Number(offset);
 }

@@ -16,6 +16,8 @@ class SetSketch {
   /// Adds a link that turns about the axis on `parent`; a new axis is added without a place. Returns the
   /// link's number.
   LinkOrdinal link(LinkOrdinal parent, const std::string& axis, std::string name);
+  /// The same for one that slides along the axis.
+  LinkOrdinal slidingLink(LinkOrdinal parent, const std::string& axis, std::string name);
   /// Sets the offset of a link's bearing on its parent along its axis; 0 by default.
   void bearing(LinkOrdinal link, std::int64_t offset);
   /// Adds an axis with a place.

@@ -12,7 +12,14 @@ namespace {
 /// Joints times inputs up to which fractions are worth their time: they are needed for the period only.
 constexpr std::size_t kMaxExactGains = 20'000;
 
-double periodOf(const KinematicModel& model, const MatroidAnalysis& analysis, const std::stop_token& stop) {
+double periodOf(const Mechanism& mechanism, const KinematicModel& model, const MatroidAnalysis& analysis,
+                const std::stop_token& stop) {
+  // What slides does not come back.
+  if (analysis.solution) {
+    const ByJoint<double>& rates = analysis.solution->rates;
+    for (std::size_t joint = 0; joint < rates.size(); ++joint)
+      if (rates[joint] != 0 && slides(mechanism.turningJoints[joint])) return 0;
+  }
   const auto exact = solveExact(model, analysis.choice.joints, analysis.speeds, stop);
   const auto turns = exact ? commonPeriod(exact->rates) : std::nullopt;
   return turns ? 2 * std::numbers::pi * turns->toDouble() : 0;
@@ -50,7 +57,7 @@ std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot, const s
     }
   }
   if (motion.gains.size() <= kMaxExactGains)
-    motion.period = periodOf(*snapshot.kinematics->model, *analysis, stop);
+    motion.period = periodOf(*snapshot.mechanism, *snapshot.kinematics->model, *analysis, stop);
   return motion;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/foundations/base/readable.h"
 #include "core/foundations/base/translation.h"
 #include "core/theory/pose/joint_limits.h"
 
@@ -18,8 +19,10 @@ class JointStops {
   JointStops(const Mechanism& mechanism, JointMotion motion)
       : m_limits(angleLimits(mechanism)), m_motion(std::move(motion)), m_rates(m_limits.size()) {
     m_motion.angles(m_motion.speeds, m_rates);
-    for (std::size_t i = 0; i < m_limits.size(); ++i)
+    for (std::size_t i = 0; i < m_limits.size(); ++i) {
       m_labels.push_back(std::to_string(mechanism.jointLabel(static_cast<int>(i))));
+      m_units.push_back(slides(mechanism.turningJoints[i]) ? mechanism.unit : std::string());
+    }
   }
 
   [[nodiscard]] SceneRange range(std::span<const double> added) const {
@@ -48,14 +51,18 @@ class JointStops {
     return angles;
   }
   [[nodiscard]] std::string text(JointOrdinal joint, double angle) const {
-    return translated("joint %1 at %2°", {m_labels[static_cast<std::size_t>(joint)],
-                                          std::to_string(std::lround(angle * 180 / std::numbers::pi))});
+    const auto j = static_cast<std::size_t>(joint);
+    if (!m_units[j].empty())
+      return translated("joint %1 at %2 %3", {m_labels[j], readableNumber(angle), m_units[j]});
+    return translated("joint %1 at %2°",
+                      {m_labels[j], std::to_string(std::lround(angle * 180 / std::numbers::pi))});
   }
 
   std::vector<AngleLimits> m_limits;
   JointMotion m_motion;
-  ByJoint<double> m_rates;  ///< rad/s
+  ByJoint<double> m_rates;  ///< rad/s or lengths a second
   std::vector<std::string> m_labels;
+  std::vector<std::string> m_units;  ///< of travels; empty: the joint turns
 };
 
 }  // namespace

@@ -278,6 +278,7 @@ std::vector<SceneHandle> handlesOf(const Mover& mover, const SpanningTree& tree)
     const double sense = -tree.directionToGround(joint);
     handle.point = mover.kinematics.line(joint).point;
     handle.direction = mover.kinematics.line(joint).direction;
+    handle.slides = mover.kinematics.line(joint).kind == JointKind::sliding;
     for (std::size_t k = 0; k < columns; ++k) {
       handle.gains.push_back(sense * mover.motion.gains[static_cast<std::size_t>(joint) * columns + k]);
     }
@@ -292,6 +293,7 @@ std::vector<SceneJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
     const int position = static_cast<int>(i);
     joints[i].element = mechanism.turningJoints[i].id;
     joints[i].text = std::to_string(mechanism.jointLabel(position));
+    joints[i].slides = slides(mechanism.turningJoints[i]);
     const auto first = mover.motion.gains.begin() + static_cast<std::ptrdiff_t>(i * columns);
     joints[i].gains.assign(first, first + static_cast<std::ptrdiff_t>(columns));
   }

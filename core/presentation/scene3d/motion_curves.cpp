@@ -30,7 +30,8 @@ class Sampler {
 
   std::vector<CurveSheet> sheets(const std::stop_token& stop) {
     const std::vector<std::size_t> links = chosenLinks();
-    std::vector<std::vector<Eigen::Vector3d>> turning(links.size()), moving(m_view.traces.size());
+    std::vector<std::vector<Eigen::Vector3d>> turning(links.size()), sliding(links.size());
+    std::vector<std::vector<Eigen::Vector3d>> moving(m_view.traces.size());
     SceneView now = m_view;
     now.traces.clear();
     std::vector<Pose> poses(m_stage.scene.instances.size());
@@ -42,21 +43,27 @@ class Sampler {
       const std::vector<double> angles = inputAngles(m_stage, now);
       m_stage.place(angles, poses);
       m_stage.twists(angles, inputSpeeds(m_stage, now), twists);
-      for (std::size_t k = 0; k < links.size(); ++k) turning[k].push_back(twists[links[k]].angular);
+      for (std::size_t k = 0; k < links.size(); ++k) {
+        turning[k].push_back(twists[links[k]].angular);
+        sliding[k].push_back(twists[links[k]].linear);
+      }
       for (std::size_t k = 0; k < moving.size(); ++k)
         moving[k].push_back(velocityOf(m_view.traces[k].point, poses, twists));
     }
     std::vector<CurveSheet> sheets = {{translated("Angular speed"), "rad/s", m_times, {}},
+                                      {translated("Speed of what slides"), m_stage.unit + "/s", m_times, {}},
                                       {translated("Traced points"), m_stage.unit + "/s", m_times, {}}};
-    addJoints(sheets[0], links.empty());
+    addJoints(sheets[0], sheets[1], links.empty());
     for (std::size_t k = 0; k < links.size(); ++k) {
       const Instance& part = m_stage.scene.instances[links[k]];
+      const bool slides = isZero(turning[k]) && !isZero(sliding[k]);
       add(
-          sheets[0], [&] { return nameOf(part.element); }, part.colour, turning[k], part.element);
+          sheets[slides ? 1 : 0], [&] { return nameOf(part.element); }, part.colour,
+          slides ? sliding[k] : turning[k], part.element);
     }
     for (std::size_t k = 0; k < moving.size(); ++k) {
       const ShownTrace& trace = m_view.traces[k];
-      add(sheets[1], [&] { return pointName(k, trace.element); },
+      add(sheets[2], [&] { return pointName(k, trace.element); },
           m_stage.scene.instances[trace.point.instance].colour, moving[k], {});
     }
     std::erase_if(sheets, [](const CurveSheet& sheet) { return sheet.curves.empty(); });
@@ -64,6 +71,10 @@ class Sampler {
   }
 
  private:
+  [[nodiscard]] static bool isZero(const std::vector<Eigen::Vector3d>& vectors) {
+    return std::all_of(vectors.begin(), vectors.end(),
+                       [](const Eigen::Vector3d& vector) { return vector.isZero(0); });
+  }
   [[nodiscard]] std::string nameOf(const ElementId& link) const {
     for (const SceneLabel& label : m_stage.labels) {
       if (label.kind == LabelKind::link && label.element == link) return translated("link %1", {label.text});
@@ -96,8 +107,8 @@ class Sampler {
     return found;
   }
 
-  /// The chosen joints; where they are none, and `orAll`, all.
-  void addJoints(CurveSheet& sheet, bool orAll) const {
+  /// The chosen joints; where they are none, and `orAll`, all. Each on the sheet of its unit.
+  void addJoints(CurveSheet& turning, CurveSheet& sliding, bool orAll) const {
     const auto isChosen = [this](const SceneJoint& joint) {
       return m_choice.elements.contains(joint.element);
     };
@@ -109,8 +120,10 @@ class Sampler {
     }
     const bool all = orAll && std::none_of(m_stage.joints.begin(), m_stage.joints.end(), isChosen);
     for (const SceneJoint& joint : m_stage.joints) {
-      const bool chosen = all ? sheet.curves.size() < kMaxJoints : isChosen(joint);
+      const std::size_t shown = turning.curves.size() + sliding.curves.size();
+      const bool chosen = all ? shown < kMaxJoints : isChosen(joint);
       if (!chosen) continue;
+      CurveSheet& sheet = joint.slides ? sliding : turning;
       sheet.curves.push_back({translated("joint %1", {joint.text}),
                               joint.colour,
                               false,

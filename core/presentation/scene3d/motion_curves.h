@@ -38,7 +38,8 @@ struct CurveChoice {
 
 /// Angular speeds, along the view's trajectory if it has one: of joints the rate of the head relative to the
 /// tail, constant for constant inputs; of links relative to the ground, signed if the link always turns about
-/// one direction, else the magnitude. For every traced point its speed in the frame of its path. Sheets
+/// one direction, else the magnitude. What slides has its speed in lengths a second, a link where it does not
+/// turn. For every traced point its speed in the frame of its path. Sheets
 /// without curves are left out. Velocities are computed from twists, not from differences of positions.
 /// Cost: O(instances) for each of up to 2,881 times, fewer for large trains: some 200 ms for 1,000 links.
 /// Empty if `stop` was requested meanwhile.

@@ -27,12 +27,13 @@ struct SceneLabel {
   int colourNumber = 0;            ///< of a link: which of the links' colours it has
 };
 
-/// How a part can be dragged: it turns about a line, with a gain for each input.
+/// How a part can be dragged: it turns about a line, or slides along it, with a gain for each input.
 struct SceneHandle {
   Eigen::Vector3d point{0, 0, 0};      ///< of the line, at the scene's own poses
   Eigen::Vector3d direction{0, 0, 1};  ///< length 1
   std::vector<double>
       gains;  ///< rad about +direction, relative to its carrier, per rad of each input; empty: fixed
+  bool slides = false;  ///< the gains are lengths along +direction
 };
 
 enum class MarkKind : std::uint8_t { pitchCircle, axis };
@@ -70,19 +71,20 @@ struct SceneNote {
   bool isMissingFile = false;  ///< a 3D file that the document names could not be read
 };
 
-/// A turning joint: its rate (head relative to tail) is the same linear combination of the inputs' speeds in
+/// A joint: its rate (head relative to tail) is the same linear combination of the inputs' speeds in
 /// every pose.
 struct SceneJoint {
   ElementId element;
   std::string text;           ///< its label
   Rgb colour;                 ///< of the link that it moves
   std::vector<double> gains;  ///< one per input
+  bool slides = false;        ///< its rate is in lengths a second
 };
 
 /// One end of the time range of a motion.
 struct SceneLimit {
   double time = 0;   ///< s; infinite: there is none
-  std::string text;  ///< the joint that reaches its limit there: "joint 8 at 170°"
+  std::string text;  ///< the joint that reaches its limit there: "joint 8 at 170°", "joint 6 at 200 mm"
 };
 
 /// The time range of a motion within the limits of joints.

@@ -7,6 +7,34 @@
 
 namespace geargraph {
 
+namespace {
+
+template <class Value>
+std::vector<SpeedAboutOf<Value>> summedSpeeds(const Placement& placement, std::span<const Value> rates,
+                                              LinkOrdinal link) {
+  const JointTree& tree = *placement.tree;
+  std::vector<SpeedAboutOf<Value>> speeds;
+  while (link != 0) {
+    const auto joint = static_cast<std::size_t>(tree.joint[link]);
+    const LinkOrdinal parent = tree.parent[link];
+    const int at = placement.classes->classOf[joint];
+    int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->orientationSign[joint];
+    auto known = speeds.begin();
+    while (known != speeds.end() && directionSign(placement, known->axisGroup, at) == 0) ++known;
+    if (known == speeds.end()) {
+      known = speeds.insert(known, SpeedAboutOf<Value>{at, Rational(0)});
+    } else {
+      sense *= directionSign(placement, known->axisGroup, at);
+    }
+    known->speed += Value(Rational(sense)) * rates[joint];
+    link = parent;
+  }
+  std::erase_if(speeds, [](const SpeedAboutOf<Value>& about) { return about.speed.isZero(); });
+  return speeds;
+}
+
+}  // namespace
+
 int directionSign(const Placement& placement, AxisGroupOrdinal oneClass, AxisGroupOrdinal otherClass) {
   const auto& classes = placement.classes->classes;
   if (classes[oneClass].kind != classes[otherClass].kind) return 0;
@@ -18,25 +46,12 @@ int directionSign(const Placement& placement, AxisGroupOrdinal oneClass, AxisGro
 
 std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<const Rational> rates,
                                       LinkOrdinal link) {
-  const JointTree& tree = *placement.tree;
-  std::vector<SpeedAbout> speeds;
-  while (link != 0) {
-    const auto joint = static_cast<std::size_t>(tree.joint[link]);
-    const LinkOrdinal parent = tree.parent[link];
-    const int at = placement.classes->classOf[joint];
-    int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->orientationSign[joint];
-    auto known = speeds.begin();
-    while (known != speeds.end() && directionSign(placement, known->axisGroup, at) == 0) ++known;
-    if (known == speeds.end()) {
-      known = speeds.insert(known, SpeedAbout{at, 0});
-    } else {
-      sense *= directionSign(placement, known->axisGroup, at);
-    }
-    known->speed += Rational(sense) * rates[joint];
-    link = parent;
-  }
-  std::erase_if(speeds, [](const SpeedAbout& about) { return about.speed.isZero(); });
-  return speeds;
+  return summedSpeeds(placement, rates, link);
+}
+
+std::vector<SpeedAboutOf<PiNumber>> absoluteSpeed(const Placement& placement, std::span<const PiNumber> rates,
+                                                  LinkOrdinal link) {
+  return summedSpeeds(placement, rates, link);
 }
 
 RelativeSpeed RelativeSpeed::between(const Placement& placement, LinkOrdinal from, LinkOrdinal to) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/foundations/exact/pi_number.h"
 #include "core/foundations/exact/sparse_rows.h"
 #include "core/mechanism/placement/placement.h"
 #include "core/theory/matroid/kinematic_model.h"
@@ -40,17 +41,24 @@ struct RelativeSpeed {
   [[nodiscard]] bool closesWithoutLinkage() const { return stretches <= 3; }
 };
 
-/// A component of an absolute angular velocity: `speed` about the line of an axis class, rad/s.
-struct SpeedAbout {
+/// A component of an absolute angular velocity: `speed` about the line of an axis class, rad/s; where the
+/// class slides, of the travel along it, lengths a second.
+template <class Value>
+struct SpeedAboutOf {
   AxisGroupOrdinal axisGroup = 0;
-  Rational speed;
+  Value speed;
 };
+using SpeedAbout = SpeedAboutOf<Rational>;
 
 /// The absolute angular velocity of a link as components about pairwise different directions, without those
 /// that are 0; empty if the link is at rest. Cost: O(joints to the ground).
 /// @pre the placement has a tree; a rate for every joint
 [[nodiscard]] std::vector<SpeedAbout> absoluteSpeed(const Placement& placement,
                                                     std::span<const Rational> rates, LinkOrdinal link);
+/// The same with powers of pi.
+[[nodiscard]] std::vector<SpeedAboutOf<PiNumber>> absoluteSpeed(const Placement& placement,
+                                                                std::span<const PiNumber> rates,
+                                                                LinkOrdinal link);
 
 /// +1 where the lines of two classes of one kind point the same way, -1 where opposite ways, 0 where they are
 /// not parallel, or one turns and the other one slides.

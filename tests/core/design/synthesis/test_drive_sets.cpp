@@ -19,7 +19,7 @@ Rational driven(const Expected<Mechanism>& set) {
     throw std::runtime_error("the methods disagree");
   const auto ratio = ratioOfSet(*set);
   if (!ratio) throw std::runtime_error("no ratio");
-  return ratio->speed;
+  return ratio->speed.rational();
 }
 
 }  // namespace
@@ -44,8 +44,28 @@ class DriveSetsTest : public QObject {
     QCOMPARE(driven(rvReducer(16, 32, 40)), Rational(1, 81));
   }
 
+  void travelsHaveTheirUnitAndSign() {
+    // 125 mm a turn at module 2 are 20 teeth: 40 pi.
+    const auto rack = ratioOfSet(*rackDrive({Number(125), Number(2)}));
+    QVERIFY(rack && rack->slides);
+    QCOMPARE(rack->speed.abs().toString(), std::string("20"));
+    QCOMPARE(rack->ofTurn().abs().toString(), std::string("40*pi"));
+    QCOMPARE(rackDrive({Number(125), Number(2)})->gearMeshes.front().tailTeeth, 20);
+    // Right-hand: as the screw turns about +z, its nut goes back.
+    const auto right = ratioOfSet(*screwDrive({Number(5)}));
+    QVERIFY(right && right->slides);
+    QCOMPARE(right->speed.toString(), std::string("-5/2/pi"));
+    QCOMPARE(right->ofTurn().toString(), std::string("-5"));
+    QCOMPARE(ratioOfSet(*screwDrive({Number(5), Hand::left}))->ofTurn().toString(), std::string("5"));
+    for (const auto& set : {rackDrive({}), screwDrive({})}) {
+      const SnapshotPtr snapshot = test::snapshotOf(*set);
+      QVERIFY(!hasErrors(snapshot->diagnostics));
+      QVERIFY(snapshot->solved && snapshot->solved->agreement && snapshot->solved->agreement->equal);
+    }
+  }
+
   void othersToo() {
-    QCOMPARE(ratioOfSet(revertedTrain({20, 40, 20, 40}))->speed, Rational(1, 4));
+    QCOMPARE(ratioOfSet(revertedTrain({20, 40, 20, 40}))->speed.rational(), Rational(1, 4));
     QCOMPARE(int{ratioOfSet(revertedTrain({20, 40, 20, 40}))->input}, 1);
     QVERIFY(!ratioOfSet(planetarySet({20, 20}, 1)));  // two inputs
   }
@@ -59,6 +79,9 @@ class DriveSetsTest : public QObject {
     QVERIFY(!strainWave(202, 200));
     QVERIFY(!cycloidalDrive(3));
     QVERIFY(!rvReducer(12, 36, 2));
+    QCOMPARE(rackDrive({Number(10), Number(2)}).error().front().detail, Detail::teethAgainstRadii);
+    QCOMPARE(rackDrive({Number(125), Number(0)}).error().front().code, Code::schema);
+    QCOMPARE(screwDrive({Number(-5)}).error().front().code, Code::schema);
   }
 };
 
