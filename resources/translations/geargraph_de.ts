@@ -14746,10 +14746,6 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Schreibt alle Lektionen in einen Ordner, mit derselben Korrektur: Seiten für jeden Browser, auch auf Telefonen, und Pakete für Lernplattformen</translation>
     </message>
     <message>
-        <source>html scorm moodle course class publish offline students</source>
-        <translation>html scorm moodle Kurs Klasse veröffentlichen offline Schüler Studenten</translation>
-    </message>
-    <message>
         <source>Folder in which the lessons&apos; folder is made</source>
         <translation>Ordner, in dem der Ordner der Lektionen angelegt wird</translation>
     </message>

@@ -14746,10 +14746,6 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Escribe todas las lecciones en una carpeta, con la misma corrección: páginas para cualquier navegador, también en teléfonos, y paquetes para plataformas de aprendizaje</translation>
     </message>
     <message>
-        <source>html scorm moodle course class publish offline students</source>
-        <translation>html scorm moodle curso clase publicar sin conexión estudiantes</translation>
-    </message>
-    <message>
         <source>Folder in which the lessons&apos; folder is made</source>
         <translation>Carpeta en la que se crea la carpeta de las lecciones</translation>
     </message>

@@ -14744,10 +14744,6 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>Tüm dersleri aynı değerlendirmeyle bir klasöre yazar: telefonlar dahil her tarayıcı için sayfalar ve öğrenme platformları için paketler</translation>
     </message>
     <message>
-        <source>html scorm moodle course class publish offline students</source>
-        <translation>html scorm moodle kurs sınıf yayımla çevrimdışı öğrenciler</translation>
-    </message>
-    <message>
         <source>Folder in which the lessons&apos; folder is made</source>
         <translation>Derslerin klasörünün oluşturulacağı klasör</translation>
     </message>

@@ -89,6 +89,7 @@ const std::vector<std::pair<const char*, const char*>> kEnglishOnly{
     {"core/presentation/meshfile/obj_encoder.cpp", "a format"},
     {"core/presentation/meshfile/three_mf_encoder.cpp", "a format"},
     {"core/presentation/gl_renderer/", "for developers"},
+    {"core/presentation/scene/", "for developers"},
     {"core/presentation/cairo_output/", "names of fonts"},
     {"core/presentation/report/mathml.cpp", "a format"},
     {"core/presentation/step/step_model.cpp", "a format"},

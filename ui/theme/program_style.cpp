@@ -127,6 +127,8 @@ void setGround(QWidget& widget) {
     tabs->setAttribute(Qt::WA_Hover);
     tabs->setBackgroundRole(QPalette::Window);
     tabs->setAutoFillBackground(true);
+    tabs->setElideMode(Qt::ElideNone);  // where they do not fit, arrows scroll them
+    tabs->setUsesScrollButtons(true);
   } else if (auto* page = qobject_cast<QScrollArea*>(&widget)) {
     page->setFrameShape(QFrame::NoFrame);
     page->viewport()->setBackgroundRole(QPalette::Base);

@@ -98,7 +98,8 @@ class ExportDialogTest : public QObject {
     dialog.choose("mjcf");
     auto* usual = dialog.findChild<QPushButton*>("exportUsual");
     QVERIFY(!usual->isEnabled());
-    dialog.findChild<QComboBox*>("--motor")->setCurrentText("torque");
+    auto* const motor = dialog.findChild<QComboBox*>("--motor");
+    motor->setCurrentIndex(motor->findData("torque"));
     auto* step = dialog.findChild<QWidget*>("--timestep")->findChild<QLineEdit*>();
     step->setText("0,002");
     OptionValues given = dialog.options();
@@ -225,7 +226,7 @@ class ExportDialogTest : public QObject {
       dialog.setAttribute(Qt::WA_DeleteOnClose, false);
       dialog.choose("csv");
       auto* const separator = dialog.findChild<QComboBox*>("--separator");
-      separator->setCurrentIndex(separator->findText("Semicolon"));
+      separator->setCurrentIndex(separator->findData("semicolon"));
       connect(&dialog, &ExportDialog::wanted, this, [&](const QString& wanted) { id = wanted; });
       exportButton(dialog)->click();
     }

@@ -52,6 +52,7 @@ QString cutOff(const QWidget& widget) {
   }
   if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) {
     for (int i = 0; i < bar->count(); ++i) {
+      if (!bar->isTabVisible(i)) continue;
       const int needs = wideOf(*bar, bar->tabText(i));
       const int has = bar->tabRect(i).width();
       if (has < needs) return said(bar->tabText(i), has, needs);

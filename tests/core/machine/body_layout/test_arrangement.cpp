@@ -197,19 +197,18 @@ class ArrangementTest : public QObject {
           };
           return std::any_of(plan.pins.begin(), plan.pins.end(), ofPin);
         };
-        const auto joinsDisc = [&](double at, double radius) {  // of a crank
+        const auto joinsDisc = [&](double at, double radius) {  // of a crank, whose hole the pin fills
           return std::any_of(
               plan.revolvedBodies.begin(), plan.revolvedBodies.end(), [&](const RevolvedPlan& body) {
                 if (body.link != wall.link || body.axisGroup != wall.axisGroup) return false;
                 return std::any_of(body.profiles.begin(), body.profiles.end(), [&](const auto& profile) {
-                  const auto [inner, outer] =
-                      std::minmax_element(profile.begin(), profile.end(),
-                                          [](const auto& a, const auto& b) { return a.radius < b.radius; });
+                  const auto outer =
+                      std::max_element(profile.begin(), profile.end(),
+                                       [](const auto& a, const auto& b) { return a.radius < b.radius; });
                   const auto [low, high] =
                       std::minmax_element(profile.begin(), profile.end(),
                                           [](const auto& a, const auto& b) { return a.height < b.height; });
-                  return inner->radius <= radius && radius <= outer->radius && low->height <= at &&
-                         at <= high->height;
+                  return radius <= outer->radius && low->height <= at && at <= high->height;
                 });
               });
         };
