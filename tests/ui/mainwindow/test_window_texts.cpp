@@ -179,8 +179,15 @@ class WindowTextsTest : public QObject {
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
       if (dock->isHidden()) continue;
       dock->raise();
-      QCoreApplication::processEvents();
-      gather(*window, found);
+      std::set<QString> cut;  // once the layout has come to rest
+      static_cast<void>(QTest::qWaitFor(
+          [&] {
+            cut.clear();
+            gather(*window, cut);
+            return cut.empty();
+          },
+          10'000));
+      found.insert(cut.begin(), cut.end());
     }
     QStringList all;
     for (const QString& each : found) all << each;
