@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/design/synthesis/set_sketch.h"
 #include "core/foundations/base/readable.h"
@@ -40,6 +41,17 @@ NumberTriple aside(const Number& distance) {
   return {distance, Number(0), Number(0)};
 }
 
+/// A driven pinion and the gear that it turns, both on the ground; `teeth`: of the pinion and of the gear.
+Expected<Mechanism> pinionAndGear(std::string title, std::pair<int, int> teeth, std::string gearName,
+                                  MeshKind kind) {
+  SetSketch set(std::move(title));
+  const LinkOrdinal pinion = set.link(0, "a", translated("pinion"));
+  const LinkOrdinal gear = set.link(0, "b", std::move(gearName));
+  set.mesh(pinion, gear, teeth.first, teeth.second, kind);
+  set.input(pinion, Number(1));
+  return std::move(set).build();
+}
+
 }  // namespace
 
 Expected<Mechanism> wormStage(const WormStage& stage) {
@@ -62,12 +74,8 @@ Expected<Mechanism> faceDrive(int pinionTeeth, int faceTeeth) {
     return driveRejection(Detail::teethAgainstRadii,
                           translated("A face gear has more teeth than its pinion."));
   }
-  SetSketch set(translated("Face gear drive"));
-  const LinkOrdinal pinion = set.link(0, "a", translated("pinion"));
-  const LinkOrdinal face = set.link(0, "b", translated("face gear"));
-  set.mesh(pinion, face, pinionTeeth, faceTeeth, MeshKind::faceGear);
-  set.input(pinion, Number(1));
-  return std::move(set).build();
+  return pinionAndGear(translated("Face gear drive"), {pinionTeeth, faceTeeth}, translated("face gear"),
+                       MeshKind::faceGear);
 }
 
 Expected<Mechanism> hypoidAxle(int pinionTeeth, int gearTeeth) {
@@ -75,12 +83,8 @@ Expected<Mechanism> hypoidAxle(int pinionTeeth, int gearTeeth) {
     return driveRejection(Detail::teethAgainstRadii,
                           translated("The gear of an axle has more teeth than its pinion."));
   }
-  SetSketch set(translated("Hypoid axle"));
-  const LinkOrdinal pinion = set.link(0, "a", translated("pinion"));
-  const LinkOrdinal gear = set.link(0, "b", translated("axle gear"));
-  set.mesh(pinion, gear, pinionTeeth, gearTeeth, MeshKind::hypoid);
-  set.input(pinion, Number(1));
-  return std::move(set).build();
+  return pinionAndGear(translated("Hypoid axle"), {pinionTeeth, gearTeeth}, translated("axle gear"),
+                       MeshKind::hypoid);
 }
 
 Expected<Mechanism> beltStage(const BeltStage& stage) {
