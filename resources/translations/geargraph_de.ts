@@ -14762,6 +14762,10 @@ geschrieben werden konnte, 3 eine angegebene Grenze überschritten. „-“ ist 
         <translation>Bereich zweier Motoren</translation>
     </message>
     <message>
+        <source>Parallel lines, as both links turn alike: %1.</source>
+        <translation>Parallele Linien, weil sich beide Glieder gleich drehen: %1.</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Notiz: in den leeren Bereich klicken, oder auf eine Notiz, um sie zu ändern</translation>
     </message>

@@ -14762,6 +14762,10 @@ escribir, 3 se superó un límite indicado. «-» es la entrada o salida estánd
         <translation>Zona de dos motores</translation>
     </message>
     <message>
+        <source>Parallel lines, as both links turn alike: %1.</source>
+        <translation>Líneas paralelas, porque los dos eslabones giran igual: %1.</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Nota: clic en un área vacía, o en una nota para cambiarla</translation>
     </message>

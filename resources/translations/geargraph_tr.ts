@@ -14760,6 +14760,10 @@ yazılamayan dosya, 3 belirtilen bir sınır aşıldı. &quot;-&quot; standart g
         <translation>İki motorun bölgesi</translation>
     </message>
     <message>
+        <source>Parallel lines, as both links turn alike: %1.</source>
+        <translation>İki uzuv aynı döndüğü için çizgiler paralel: %1.</translation>
+    </message>
+    <message>
         <source>Note: click on an empty area, or on a note to change it</source>
         <translation>Not: boş alana tıklayın, ya da değiştirmek için bir nota</translation>
     </message>

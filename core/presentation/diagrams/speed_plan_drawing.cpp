@@ -213,6 +213,11 @@ class SpeedPlanDrawer {
           translated("Meshes %1 join axes that are not in one plane with that of their carrier: their lines "
                      "do not meet.",
                      {listed(apart, kAllNames)}));
+    std::vector<std::string> alike;
+    for (const MeshOrdinal mesh : m_plan.alike) alike.push_back(std::to_string(m_mechanism.meshLabel(mesh)));
+    if (!alike.empty())
+      notes.push_back(
+          translated("Parallel lines, as both links turn alike: %1.", {listed(alike, kAllNames)}));
     bool isLevelThroughout = true;
     for (const AxisGroupOrdinal axis : m_plan.axes.ordinals())
       isLevelThroughout = isLevelThroughout && isLevel(axis);

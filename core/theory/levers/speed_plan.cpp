@@ -104,19 +104,21 @@ class SpeedPlanner {
   }
 
   /// The height of the teeth, if both axes and that of their carrier are in one plane: the pitch point by the
-  /// teeth, where the wheels have one velocity. None for pins and belts 1 : 1.
+  /// teeth, where the wheels have one velocity.
   [[nodiscard]] std::optional<double> heightOf(const MeshGeometry& mesh) const {
     const double tail = m_plan.axes[mesh.tailClass].height;
     const double head = m_plan.axes[mesh.headClass].height;
     const double size = length(between(mesh.tailClass, mesh.headClass));
-    const int alike = mesh.tailTeeth - mesh.sign * mesh.headTeeth;  // 0: both turn at one speed
-    if (alike == 0 || size == 0 || std::abs(std::abs(head - tail) - size) > kSameHeight * size)
-      return std::nullopt;
-    return tail + (head - tail) * mesh.tailTeeth / alike;
+    if (size == 0 || std::abs(std::abs(head - tail) - size) > kSameHeight * size) return std::nullopt;
+    return tail + (head - tail) * mesh.tailTeeth / (mesh.tailTeeth - mesh.sign * mesh.headTeeth);
   }
 
   void addMesh(MeshOrdinal mesh) {
     const MeshGeometry& geometry = *m_placement.meshes[mesh];
+    if (geometry.tailTeeth == geometry.sign * geometry.headTeeth) {
+      m_plan.alike.push_back(mesh);
+      return;
+    }
     const auto height = heightOf(geometry);
     if (!height) {
       m_plan.apart.push_back(mesh);

@@ -51,9 +51,10 @@ struct SpeedPlan {
   ByClass<Axis> axes;
   std::vector<Line> lines;
   std::vector<Crossing> crossings;
-  /// Meshes of two axes that are not in one plane with the axis of their carrier, and pairs that turn alike
-  /// (pins, belts 1 : 1): their lines meet nowhere.
+  /// Meshes of two axes that are not in one plane with the axis of their carrier: their lines meet nowhere.
   std::vector<MeshOrdinal> apart;
+  /// Pairs that turn alike (pins, belts 1 : 1): their lines are parallel.
+  std::vector<MeshOrdinal> alike;
 };
 
 /// `rates`: of all joints; empty where they are not known. Cost: O(n + c) and the joints to the ground of

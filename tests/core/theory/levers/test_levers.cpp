@@ -289,6 +289,7 @@ class LeversTest : public QObject {
   void linesOfTheSpeedPlanMeetAtTeethAndCarriedAxes() {
     int meshes = 0;
     int carried = 0;
+    int parallels = 0;
     for (const std::string& name : solvableExamples()) {
       const Worked worked(example(name));
       if (!worked.analysis.solution) continue;
@@ -301,7 +302,14 @@ class LeversTest : public QObject {
       const auto at = [&](LinkOrdinal link, double height) {
         return plan.lines[static_cast<std::size_t>(int{link})].velocityAt(height);
       };
-      QCOMPARE(plan.crossings.size() + plan.apart.size(), static_cast<std::size_t>(worked.model.c()));
+      QCOMPARE(plan.crossings.size() + plan.apart.size() + plan.alike.size(),
+               static_cast<std::size_t>(worked.model.c()));
+      for (const MeshOrdinal mesh : plan.alike) {
+        const MeshGeometry& pair = *worked.placement.meshes[mesh];
+        QCOMPARE(plan.lines[static_cast<std::size_t>(int{pair.tail})].speed,
+                 plan.lines[static_cast<std::size_t>(int{pair.head})].speed);
+        ++parallels;
+      }
       for (const SpeedPlan::Crossing& crossing : plan.crossings) {
         const MeshGeometry& mesh = *worked.placement.meshes[crossing.mesh];
         const double apart = at(mesh.tail, crossing.height) - at(mesh.head, crossing.height);
@@ -315,7 +323,7 @@ class LeversTest : public QObject {
         carried += carrier != 0 ? 1 : 0;
       }
     }
-    QVERIFY(meshes > 20 && carried > 10);
+    QVERIFY(meshes > 20 && carried > 10 && parallels > 1);
   }
 
   void speedPlanOfASetWithItsRingHeld() {
